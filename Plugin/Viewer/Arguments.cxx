@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arguments.h"
+
+#include "OptionList.h"
+#include "ParseValue.h"
+#include "SceneOptions.h"
+#include "UserError.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace limn::viewer
+{
+namespace
+{
+
+const char* const kOverview =
+  R"(limn draws triangle meshes on the CPU, with technical-illustration shading.
+
+Usage:
+  limn render MESH... --output=FILE.png [OPTIONS]   draw a picture
+  limn view MESH... [OPTIONS]                       look at it in a window
+  limn info MESH...                                 what is in the files
+  limn compare A.png B.png [--tolerance=N]          how far two pictures differ
+  limn help [VERB]                                  this text, or a verb's options
+  limn --version
+
+Meshes: .obj .off .ply .stl .om .vtp .vtk .vtu
+Exit status: 0; 2 for an error that you can mend; 3 where compared pictures differ.
+
+Try:  limn render teapot.obj --tone=gooch --output=teapot.png
+)";
+
+const Choices<Window> kWindows = { { "cpu", Window::Cpu }, { "gl", Window::Gl } };
+
+void requireMeshes(const std::vector<std::string>& meshes, const std::string& verb)
+{
+  if (meshes.empty())
+  {
+    throw UserError("no mesh is named; give one, as in: limn " + verb + " teapot.obj" +
+                    (verb == "render" ? " --output=teapot.png" : ""));
+  }
+}
+
+void requireColoringArray(const ColoringSettings& coloring)
+{
+  if (!coloring.array.empty())
+  {
+    return;
+  }
+  if (coloring.colormap)
+  {
+    throw UserError("--colormap needs --coloring-array=NAME; \"limn info MESH\" lists the arrays");
+  }
+  if (coloring.range)
+  {
+    throw UserError(
+      "--coloring-range needs --coloring-array=NAME; \"limn info MESH\" lists the arrays");
+  }
+}
+
+void checkCamera(const CameraSettings& camera)
+{
+  if (camera.parallelScale && !camera.orthographic)
+  {
+    throw UserError("--camera-parallel-scale needs --camera-orthographic");
+  }
+  if (camera.position && camera.position == camera.focalPoint)
+  {
+    throw UserError("--camera-position and --camera-focal-point are the same point; move one");
+  }
+}
+
+void checkScene(const SceneSettings& scene, const std::string& verb)
+{
+  requireMeshes(scene.meshes, verb);
+  requireColoringArray(scene.coloring);
+  checkCamera(scene.camera);
+}
+
+void checkOutput(const std::string& output)
+{
+  if (output.empty())
+  {
+    throw UserError("no output is named; add --output=FILE.png");
+  }
+  std::filesystem::path path = output;
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (extension != ".png")
+  {
+    throw UserError("--output=" + output + " is not a PNG file; name it " +
+                    path.replace_extension(".png").string());
+  }
+}
+
+using Arguments = std::vector<std::string>;
+
+Request parseRender(const Arguments& arguments)
+{
+  RenderSettings settings;
+  SceneSettings& scene = settings.scene;
+  std::optional<Color> background;
+  OptionList options("render", "Draws meshes into a PNG file.");
+  options.addFiles("MESH", "files to draw, one scene", scene.meshes);
+  options.add("--output", "FILE.png", "written whole or not at all",
+    [&](const std::string&, const std::string& text) { settings.output = text; });
+  addSceneOptions(options, scene);
+  options.add("--background-color", "r,g,b", "(0.94,0.95,0.97)",
+    [&](const std::string& option, const std::string& text)
+    { background = parseColor(option, text); });
+  options.addSwitch(
+    "--no-background", "transparent where no mesh is", settings.transparentBackground);
+  options.add("--window", "name", "cpu (needs no display), gl (an OpenGL window) (cpu)",
+    [&](const std::string& option, const std::string& text)
+    { settings.window = parseChoice(option, text, kWindows); });
+  options.addSwitch(
+    "--stats", "print one JSON line: counts, times, bytes, threads", settings.stats);
+  if (!options.read(arguments))
+  {
+    return HelpRequest{ options.help() };
+  }
+  checkScene(scene, "render");
+  checkOutput(settings.output);
+  if (background && settings.transparentBackground)
+  {
+    throw UserError("--background-color and --no-background exclude each other; give one");
+  }
+  scene.background = background.value_or(scene.background);
+  return RenderRequest{ settings };
+}
+
+Request parseView(const Arguments& arguments)
+{
+  SceneSettings scene;
+  OptionList options("view", "Shows meshes in a window; press h in it for the keys.");
+  options.addFiles("MESH", "files to show, one scene", scene.meshes);
+  addSceneOptions(options, scene);
+  options.add("--background-color", "r,g,b", "(0.94,0.95,0.97)",
+    [&](const std::string& option, const std::string& text)
+    { scene.background = parseColor(option, text); });
+  if (!options.read(arguments))
+  {
+    return HelpRequest{ options.help() };
+  }
+  checkScene(scene, "view");
+  return ViewRequest{ scene };
+}
+
+Request parseInfo(const Arguments& arguments)
+{
+  InfoRequest request;
+  OptionList options("info", "Prints what is in mesh files.");
+  options.addFiles("MESH", "files to read", request.meshes);
+  if (!options.read(arguments))
+  {
+    return HelpRequest{ options.help() };
+  }
+  requireMeshes(request.meshes, "info");
+  return request;
+}
+
+Request parseCompare(const Arguments& arguments)
+{
+  CompareSettings settings;
+  std::vector<std::string> pictures;
+  OptionList options(
+    "compare", "Says how far two pictures differ. Exit status 0: the same, 3: they differ.");
+  options.addFiles("PNG", "two pictures", pictures);
+  options.add("--tolerance", "n", "a channel may differ by n, 0 to 255 (0)",
+    [&](const std::string& option, const std::string& text)
+    { settings.tolerance = parseInteger(option, text, 0, 255); });
+  if (!options.read(arguments))
+  {
+    return HelpRequest{ options.help() };
+  }
+  if (pictures.size() != 2)
+  {
+    throw UserError("compare takes two pictures, got " + std::to_string(pictures.size()) +
+                    "; as in: limn compare A.png B.png");
+  }
+  settings.pictures = { pictures[0], pictures[1] };
+  return CompareRequest{ settings };
+}
+
+Request parseVerb(const std::string& verb, const Arguments& arguments);
+
+Request parseHelp(const Arguments& arguments)
+{
+  if (arguments.empty())
+  {
+    return HelpRequest{ kOverview };
+  }
+  if (arguments.size() > 1)
+  {
+    throw UserError("help takes one verb; as in: limn help render");
+  }
+  return arguments[0] == "help" ? HelpRequest{ kOverview } : parseVerb(arguments[0], { "--help" });
+}
+
+Request parseVerb(const std::string& verb, const Arguments& arguments)
+{
+  using Parser = Request (*)(const Arguments&);
+  const std::vector<std::pair<std::string, Parser>> verbs = { { "render", parseRender },
+    { "view", parseView }, { "info", parseInfo }, { "compare", parseCompare } };
+  for (const auto& [name, parse] : verbs)
+  {
+    if (name == verb)
+    {
+      return parse(arguments);
+    }
+  }
+  throw UserError("unknown verb " + verb + "; choose one of: render, view, info, compare, help");
+}
+
+} // namespace
+
+Request parseArguments(const std::vector<std::string>& arguments)
+{
+  if (arguments.empty())
+  {
+    throw UserError("no verb is named; see \"limn help\"");
+  }
+  const std::string& verb = arguments[0];
+  const Arguments rest(arguments.begin() + 1, arguments.end());
+  if (verb == "--version")
+  {
+    return VersionRequest{};
+  }
+  if (verb == "--help")
+  {
+    return HelpRequest{ kOverview };
+  }
+  return verb == "help" ? parseHelp(rest) : parseVerb(verb, rest);
+}
+
+} // namespace limn::viewer

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "BuildScene.h"
+
+#include "ColorByArray.h"
+#include "FitCamera.h"
+#include "UserError.h"
+
+#include "vtkLimnActor.h"
+#include "vtkLimnPolyDataMapper.h"
+#include "vtkLimnProperty.h"
+
+#include <vtkCamera.h>
+#include <vtkLight.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkRenderer.h>
+
+namespace limn::viewer
+{
+namespace
+{
+
+int shadingFrequencyOf(Shading shading)
+{
+  switch (shading)
+  {
+    case Shading::Flat:
+      return vtkLimnProperty::FREQUENCY_FLAT;
+    case Shading::Gouraud:
+      return vtkLimnProperty::FREQUENCY_GOURAUD;
+    case Shading::Phong:
+      break;
+  }
+  return vtkLimnProperty::FREQUENCY_PHONG;
+}
+
+int reflectionModelOf(Reflection reflection)
+{
+  switch (reflection)
+  {
+    case Reflection::None:
+      return vtkLimnProperty::REFLECTION_NONE;
+    case Reflection::Lambert:
+      return vtkLimnProperty::REFLECTION_LAMBERT;
+    case Reflection::Phong:
+      return vtkLimnProperty::REFLECTION_PHONG;
+    case Reflection::BlinnPhong:
+      break;
+  }
+  return vtkLimnProperty::REFLECTION_BLINN_PHONG;
+}
+
+void setReflectance(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  const Color diffuse = material.diffuse.value_or(material.color.value_or(kDefaultColor));
+  const Color ambient = material.ambient.value_or(diffuse);
+  // Without lights a surface shows k_a + k_d; a k_a that merely follows k_d would count twice.
+  const bool hasAmbient = material.ambient || material.reflection != Reflection::None;
+  property.SetDiffuseColor(diffuse.data());
+  property.SetDiffuse(1);
+  property.SetAmbientColor(ambient.data());
+  property.SetAmbient(hasAmbient ? 1 : 0);
+  property.SetSpecularColor(material.specular.data());
+  property.SetSpecular(1);
+  property.SetSpecularPower(material.specularPower);
+}
+
+int toneOf(Tone tone)
+{
+  switch (tone)
+  {
+    case Tone::Gooch:
+      return vtkLimnProperty::TONE_GOOCH;
+    case Tone::GoochChapter:
+      return vtkLimnProperty::TONE_GOOCH_CHAPTER;
+    case Tone::None:
+      break;
+  }
+  return vtkLimnProperty::TONE_NONE;
+}
+
+void setIllustration(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  property.SetTone(toneOf(material.tone));
+  if (material.cool)
+  {
+    property.SetCoolColor(material.cool->data());
+    property.SetCoolSurface(0);
+  }
+  if (material.warm)
+  {
+    property.SetWarmColor(material.warm->data());
+    property.SetWarmSurface(0);
+  }
+  property.SetOutline(material.outline == Outline::Normal ? vtkLimnProperty::OUTLINE_NORMAL
+                                                          : vtkLimnProperty::OUTLINE_NONE);
+  property.SetOutlineColor(material.outlineColor.data());
+}
+
+vtkSmartPointer<vtkLight> makeLight(const LightSettings& settings)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetColor(settings.color.data());
+  if (settings.kind == LightKind::Headlight)
+  {
+    light->SetLightTypeToHeadlight();
+    return light;
+  }
+  const Vector3& from = settings.position;
+  const Vector3& along = settings.direction;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(from.data());
+  light->SetFocalPoint(from[0] + along[0], from[1] + along[1], from[2] + along[2]);
+  if (settings.kind != LightKind::Directional)
+  {
+    constexpr double kNoCone = 180;
+    light->PositionalOn();
+    light->SetAttenuationValues(0, 0, 1);
+    light->SetConeAngle(settings.kind == LightKind::Spot ? settings.coneDegrees : kNoCone);
+    light->SetExponent(settings.kind == LightKind::Spot ? settings.exponent : 0);
+  }
+  return light;
+}
+
+void addLights(const SceneSettings& settings, vtkRenderer& renderer)
+{
+  renderer.RemoveAllLights();
+  renderer.AutomaticLightCreationOff();
+  renderer.SetAmbient(settings.ambientLight.data());
+  const std::vector<LightSettings> headlight(1);
+  for (const LightSettings& light : settings.lights.empty() ? headlight : settings.lights)
+  {
+    renderer.AddLight(makeLight(light));
+  }
+}
+
+void addMeshes(
+  const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
+{
+  for (const Mesh& mesh : meshes)
+  {
+    vtkNew<vtkLimnPolyDataMapper> mapper;
+    mapper->SetInputData(mesh.surface);
+    vtkNew<vtkLimnProperty> property;
+    applyMaterial(settings.material, *property);
+    vtkNew<vtkLimnActor> actor;
+    actor->SetMapper(mapper);
+    actor->SetProperty(property);
+    chooseColors(settings, meshes, mesh, *mapper);
+    renderer.AddActor(actor);
+  }
+}
+
+void requireFaces(const std::vector<Mesh>& meshes)
+{
+  for (const Mesh& mesh : meshes)
+  {
+    if (mesh.surface->GetNumberOfPolys() + mesh.surface->GetNumberOfStrips() == 0)
+    {
+      throw UserError(mesh.file + " has no faces; only surfaces are drawn");
+    }
+  }
+}
+
+Subject subjectOf(const std::vector<Mesh>& meshes)
+{
+  Subject subject;
+  for (const Mesh& mesh : meshes)
+  {
+    double bounds[6];
+    mesh.surface->GetCellsBounds(bounds);
+    subject.box.AddBounds(bounds);
+    subject.points.push_back(mesh.surface->GetPoints());
+  }
+  return subject;
+}
+
+} // namespace
+
+void applyMaterial(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  setReflectance(material, property);
+  setIllustration(material, property);
+  property.SetShadingFrequency(shadingFrequencyOf(material.shading));
+  property.SetReflectionModel(reflectionModelOf(material.reflection));
+  property.SetBackfaceCulling(material.backfaceCulling);
+}
+
+void pointCamera(
+  const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
+{
+  const double aspect = static_cast<double>(settings.resolution[0]) / settings.resolution[1];
+  fitCamera(settings.camera, subjectOf(meshes), aspect, *renderer.GetActiveCamera());
+  renderer.ResetCameraClippingRange();
+}
+
+void buildScene(
+  const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
+{
+  requireFaces(meshes);
+  renderer.SetBackground(settings.background.data());
+  addLights(settings, renderer);
+  addMeshes(settings, meshes, renderer);
+  pointCamera(settings, meshes, renderer);
+}
+
+} // namespace limn::viewer

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef limn_viewer_BuildScene_h
+#define limn_viewer_BuildScene_h
+
+#include "LoadMesh.h"       // for Mesh
+#include "RenderSettings.h" // for SceneSettings
+
+#include <vector> // for several meshes
+
+class vtkLimnProperty;
+class vtkRenderer;
+
+namespace limn::viewer
+{
+
+/// Puts the meshes, their material, the lights, the background and the camera into `renderer`,
+/// which must be in a window of the final size. The clipping range of the camera is set.
+/// Throws UserError for a mesh without faces and an array that no mesh has.
+void buildScene(
+  const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer);
+
+/// Points the renderer's camera at the meshes as the settings say and sets its clipping range.
+void pointCamera(
+  const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer);
+
+/// Makes `property` look as the settings say, in the meaning of the chapter's equations.
+void applyMaterial(const MaterialSettings& material, vtkLimnProperty& property);
+
+} // namespace limn::viewer
+
+#endif

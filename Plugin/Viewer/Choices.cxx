@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Choices.h"
+
+namespace limn::viewer
+{
+
+const Choices<Shading>& shadings()
+{
+  static const Choices<Shading> choices = { { "flat", Shading::Flat },
+    { "gouraud", Shading::Gouraud }, { "phong", Shading::Phong } };
+  return choices;
+}
+
+const Choices<Reflection>& reflections()
+{
+  static const Choices<Reflection> choices = { { "none", Reflection::None },
+    { "lambert", Reflection::Lambert }, { "phong", Reflection::Phong },
+    { "blinn-phong", Reflection::BlinnPhong } };
+  return choices;
+}
+
+const Choices<Tone>& tones()
+{
+  static const Choices<Tone> choices = { { "none", Tone::None }, { "gooch", Tone::Gooch },
+    { "gooch-chapter", Tone::GoochChapter } };
+  return choices;
+}
+
+const Choices<Outline>& outlines()
+{
+  static const Choices<Outline> choices = { { "none", Outline::None },
+    { "normal", Outline::Normal } };
+  return choices;
+}
+
+const Choices<int>& sampleCounts()
+{
+  static const Choices<int> choices = { { "1", 1 }, { "2", 2 }, { "4", 4 }, { "8", 8 } };
+  return choices;
+}
+
+} // namespace limn::viewer

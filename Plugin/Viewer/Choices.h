@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef limn_viewer_Choices_h
+#define limn_viewer_Choices_h
+
+#include "ParseValue.h"     // for Choices
+#include "RenderSettings.h" // for the values
+
+/// The served values of options and their names, in the order in which the keys of `limn view` go
+/// through them.
+namespace limn::viewer
+{
+
+const Choices<Shading>& shadings();
+const Choices<Reflection>& reflections();
+const Choices<Tone>& tones();
+const Choices<Outline>& outlines();
+const Choices<int>& sampleCounts();
+
+} // namespace limn::viewer
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef limn_viewer_ParseValue_h
+#define limn_viewer_ParseValue_h
+
+#include "RenderSettings.h" // for Vector3, Color, LightSettings
+
+#include <array>   // for Range
+#include <string>  // for the texts
+#include <utility> // for std::pair
+#include <vector>  // for choices
+
+/// One value of one option from its text. `option` is named in the errors ("--color"). All throw
+/// UserError, which says what was expected and shows an example.
+namespace limn::viewer
+{
+
+/// A finite number, written as in "12", "-0.5" or "1e-3", with nothing after it. All numbers here
+/// are at most 1e30 in size.
+double parseNumber(const std::string& option, const std::string& text);
+
+/// A whole number from `smallest` to `largest`.
+int parseInteger(const std::string& option, const std::string& text, int smallest, int largest);
+
+/// x,y,z
+Vector3 parseVector(const std::string& option, const std::string& text);
+
+/// x,y,z that is not 0,0,0.
+Vector3 parseDirection(const std::string& option, const std::string& text);
+
+/// r,g,b of a surface or background: each from 0 to 1.
+Color parseColor(const std::string& option, const std::string& text);
+
+/// r,g,b of a light or a tone: each at least 0.
+Color parseIntensity(const std::string& option, const std::string& text);
+
+/// a,b with a < b.
+std::array<double, 2> parseRange(const std::string& option, const std::string& text);
+
+/// width,height: each from 1 to 16384.
+std::array<int, 2> parseResolution(const std::string& option, const std::string& text);
+
+/// One of +X -X +Y -Y +Z -Z, in either case.
+Vector3 parseAxis(const std::string& option, const std::string& text);
+
+/// directional:dx,dy,dz:r,g,b | point:x,y,z:r,g,b | spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b |
+/// headlight
+LightSettings parseLight(const std::string& option, const std::string& text);
+
+/// "flat, gouraud, phong"
+std::string joinWords(const std::vector<std::string>& words);
+
+template <typename Value>
+using Choices = std::vector<std::pair<std::string, Value>>;
+
+/// The value whose name is `text`. A name in `later` is one that a later version will serve.
+template <typename Value>
+Value parseChoice(const std::string& option, const std::string& text, const Choices<Value>& choices,
+  const std::vector<std::string>& later = {});
+
+} // namespace limn::viewer
+
+#include "ParseValue.txx" // for parseChoice
+
+#endif

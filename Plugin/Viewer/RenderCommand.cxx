@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderCommand.h"
+
+#include "BuildScene.h"
+#include "LoadMesh.h"
+#include "Messages.h"
+#include "OpenWindow.h"
+#include "Picture.h"
+
+#include "vtkLimnEngine.h"
+
+#include <vtkNew.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <nlohmann/json.hpp>
+
+#include <chrono>
+#include <iostream>
+#include <thread>
+
+namespace limn::viewer
+{
+namespace
+{
+
+/// Wall-clock milliseconds since it was made.
+class Stopwatch
+{
+public:
+  double milliseconds() const
+  {
+    const std::chrono::duration<double, std::milli> elapsed = Clock::now() - this->start_;
+    return elapsed.count();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+struct Times
+{
+  double read = 0, render = 0, write = 0;
+};
+
+vtkSmartPointer<vtkImageData> drawPicture(
+  const RenderSettings& settings, const std::vector<Mesh>& meshes)
+{
+  const OpenedWindow opened = openWindow(settings.window, settings.scene);
+  opened.window->OffScreenRenderingOn();
+  if (settings.transparentBackground)
+  {
+    opened.window->AlphaBitPlanesOn();
+    opened.renderer->SetBackground(0, 0, 0);
+    opened.renderer->SetBackgroundAlpha(0);
+  }
+  buildScene(settings.scene, meshes, *opened.renderer);
+  opened.window->Render();
+  throwCollectedErrors();
+
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(opened.window);
+  grabber->ShouldRerenderOff();
+  grabber->ReadFrontBufferOff();
+  if (settings.transparentBackground)
+  {
+    grabber->SetInputBufferTypeToRGBA();
+  }
+  grabber->Update();
+  throwCollectedErrors();
+  return grabber->GetOutput();
+}
+
+int threadsInUse()
+{
+  const int threads = vtkLimnEngine::GetNumberOfThreads();
+  return threads > 0 ? threads : static_cast<int>(std::thread::hardware_concurrency());
+}
+
+void printStats(const Times& times)
+{
+  const nlohmann::ordered_json stats = {
+    { "triangles", vtkLimnEngine::GetTriangles() },
+    { "vertices", vtkLimnEngine::GetVertices() },
+    { "clusters", vtkLimnEngine::GetClusters() },
+    { "ms", { { "read", times.read }, { "prepare", vtkLimnEngine::GetPrepareMilliseconds() },
+              { "bin", vtkLimnEngine::GetBinMilliseconds() },
+              { "tiles", vtkLimnEngine::GetTileMilliseconds() }, { "render", times.render },
+              { "write", times.write } } },
+    { "bytes", vtkLimnEngine::GetBytes() },
+    { "threads", threadsInUse() },
+    { "target", vtkLimnEngine::GetInstructionSet() },
+  };
+  std::cout << stats.dump() << std::endl;
+}
+
+} // namespace
+
+ExitStatus render(const RenderSettings& settings)
+{
+  preferWindow(settings.window);
+  checkWritable(settings.output);
+
+  Times times;
+  const Stopwatch reading;
+  const std::vector<Mesh> meshes = loadMeshes(settings.scene.meshes);
+  times.read = reading.milliseconds();
+
+  const Stopwatch rendering;
+  const auto picture = drawPicture(settings, meshes);
+  times.render = rendering.milliseconds();
+
+  const Stopwatch writing;
+  writePicture(*picture, settings.output);
+  times.write = writing.milliseconds();
+  if (settings.stats)
+  {
+    printStats(times);
+  }
+  return ExitSuccess;
+}
+
+} // namespace limn::viewer

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef limn_viewer_RenderSettings_h
+#define limn_viewer_RenderSettings_h
+
+#include <array>    // for Vector3
+#include <optional> // for what the user need not name
+#include <string>   // for file names
+#include <vector>   // for several meshes and lights
+
+/// What the user asked for, as plain data. The initial values are the defaults.
+namespace limn::viewer
+{
+
+using Vector3 = std::array<double, 3>;
+using Color = std::array<double, 3>; ///< linear factors, >= 0
+
+enum class Shading
+{
+  Flat,
+  Gouraud,
+  Phong
+};
+
+enum class Reflection
+{
+  None,
+  Lambert,
+  BlinnPhong,
+  Phong
+};
+
+enum class Tone
+{
+  None,
+  Gooch,
+  GoochChapter
+};
+
+enum class Outline
+{
+  None,
+  Normal
+};
+
+enum class Window
+{
+  Cpu, ///< needs no display; no OpenGL library is loaded
+  Gl
+};
+
+enum class LightKind
+{
+  Headlight,
+  Directional,
+  Point, ///< intensity I/r^2
+  Spot   ///< intensity I/r^2 inside a cone
+};
+
+struct LightSettings
+{
+  LightKind kind = LightKind::Headlight;
+  Vector3 position = { 0, 0, 0 };
+  Vector3 direction = { 0, 0, -1 }; ///< the way the light travels
+  double coneDegrees = 30;          ///< half angle, 0 < angle < 90
+  double exponent = 1;
+  Color color = { 1, 1, 1 };
+};
+
+struct CameraSettings
+{
+  std::optional<Vector3> position, focalPoint, viewUp; ///< fitted to the meshes if not given
+  double viewAngleDegrees = 30;
+  bool orthographic = false;
+  std::optional<double> parallelScale; ///< half the height of the view in world units
+  Vector3 up = { 0, 1, 0 };            ///< the meshes' own up: a unit axis
+};
+
+struct MaterialSettings
+{
+  std::optional<Color> color;            ///< the meshes' own colours, else kDefaultColor
+  std::optional<Color> ambient, diffuse; ///< k_a: k_d if not given; k_d: color if not given
+  Color specular = { 0.2, 0.2, 0.2 };    ///< k_s
+  double specularPower = 32;             ///< 0 to 128
+  std::optional<Color> cool, warm;       ///< k_cool and k_warm themselves
+  Shading shading = Shading::Phong;
+  Reflection reflection = Reflection::BlinnPhong;
+  Tone tone = Tone::None;
+  Outline outline = Outline::None;
+  Color outlineColor = { 0, 0, 0 };
+  bool backfaceCulling = false;
+};
+
+struct ColoringSettings
+{
+  std::string array;                   ///< empty: not coloured by an array
+  std::optional<std::string> colormap; ///< a name of makeColormap(); kDefaultColormap if not given
+  std::optional<std::array<double, 2>> range; ///< of the array over all meshes if not given
+};
+
+struct SceneSettings
+{
+  std::vector<std::string> meshes;
+  std::array<int, 2> resolution = { 1000, 600 }; ///< pixels
+  CameraSettings camera;
+  MaterialSettings material;
+  ColoringSettings coloring;
+  std::vector<LightSettings> lights; ///< none: a headlight
+  Color ambientLight = { 0, 0, 0 };  ///< I_a
+  Color background = { 0.94, 0.95, 0.97 };
+  int samples = 4;
+  int threads = 0; ///< 0: not given, one for each core unless LIMN_THREADS says otherwise
+};
+
+struct RenderSettings
+{
+  SceneSettings scene;
+  std::string output;
+  bool transparentBackground = false;
+  Window window = Window::Cpu;
+  bool stats = false;
+};
+
+struct CompareSettings
+{
+  std::array<std::string, 2> pictures;
+  int tolerance = 0; ///< largest difference of a channel, 0 to 255, that still counts as equal
+};
+
+inline constexpr const char* kDefaultColormap = "viridis";
+inline constexpr Color kDefaultColor = { 0.66, 0.73, 0.82 };
+
+} // namespace limn::viewer
+
+#endif

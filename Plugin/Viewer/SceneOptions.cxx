@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SceneOptions.h"
+
+#include "Choices.h"
+#include "ParseValue.h"
+#include "UserError.h"
+
+namespace limn::viewer
+{
+namespace
+{
+
+using Text = const std::string&;
+
+const Choices<std::string> kColormaps = { { "viridis", "viridis" }, { "cool-warm", "cool-warm" },
+  { "rainbow", "rainbow" }, { "grayscale", "grayscale" }, { "black-body", "black-body" } };
+
+/// Sets `target` with one of the functions of ParseValue.h.
+template <typename Target, typename Parse>
+OptionList::Reader into(Target& target, Parse parse)
+{
+  return [&target, parse](Text option, Text text) { target = parse(option, text); };
+}
+
+template <typename Value>
+OptionList::Reader choose(
+  Value& target, const Choices<Value>& choices, const std::vector<std::string>& later = {})
+{
+  return [&target, &choices, later](Text option, Text text)
+  { target = parseChoice(option, text, choices, later); };
+}
+
+double parsePositive(Text option, Text text)
+{
+  const double number = parseNumber(option, text);
+  if (number <= 0)
+  {
+    throw UserError(option + "=" + text + " is not greater than 0");
+  }
+  return number;
+}
+
+double parseViewAngle(Text option, Text text)
+{
+  const double degrees = parseNumber(option, text);
+  if (degrees <= 0 || degrees >= 180)
+  {
+    throw UserError(option + "=" + text + " is not between 0 and 180 degrees");
+  }
+  return degrees;
+}
+
+double parseSpecularPower(Text option, Text text)
+{
+  const double power = parseNumber(option, text);
+  if (power < 0 || power > 128)
+  {
+    throw UserError(option + "=" + text + " is not from 0 to 128");
+  }
+  return power;
+}
+
+void requireOpaque(Text option, Text text)
+{
+  if (parseNumber(option, text) != 1)
+  {
+    throw UserError(option + "=" + text + ": translucency is not yet served by this version; use " +
+                    option + "=1");
+  }
+}
+
+void addCamera(OptionList& options, CameraSettings& camera)
+{
+  options.startGroup("Camera (fitted to the meshes where not given)");
+  options.add("--camera-position", "x,y,z", "where the eye is", into(camera.position, parseVector));
+  options.add(
+    "--camera-focal-point", "x,y,z", "what it looks at", into(camera.focalPoint, parseVector));
+  options.add(
+    "--camera-view-up", "x,y,z", "what is up in the picture", into(camera.viewUp, parseDirection));
+  options.add("--camera-view-angle", "degrees", "height of the view (30)",
+    into(camera.viewAngleDegrees, parseViewAngle));
+  options.addSwitch("--camera-orthographic", "parallel projection", camera.orthographic);
+  options.add("--camera-parallel-scale", "size", "half the height of an orthographic view",
+    into(camera.parallelScale, parsePositive));
+  options.add(
+    "--up", "axis", "the meshes' own up: +X -X +Y -Y +Z -Z (+Y)", into(camera.up, parseAxis));
+}
+
+void addMaterial(OptionList& options, MaterialSettings& material)
+{
+  options.startGroup("Surface");
+  options.add("--color", "r,g,b", "the colour (the meshes' own, else a grey blue)",
+    into(material.color, parseIntensity));
+  options.add("--opacity", "a", "1; translucency is not yet served", requireOpaque);
+  options.add("--shading", "name", "where light is evaluated: flat, gouraud, phong (phong)",
+    choose(material.shading, shadings()));
+  options.add("--reflection", "name", "none, lambert, phong, blinn-phong (blinn-phong)",
+    choose(material.reflection, reflections(), { "irradiance" }));
+  options.add("--ambient", "r,g,b", "k_a (k_d)", into(material.ambient, parseIntensity));
+  options.add("--diffuse", "r,g,b", "k_d (the colour)", into(material.diffuse, parseIntensity));
+  options.add("--specular", "r,g,b", "k_s (0.2,0.2,0.2)", into(material.specular, parseIntensity));
+  options.add("--specular-power", "p", "the exponent of the highlight, 0 to 128 (32)",
+    into(material.specularPower, parseSpecularPower));
+  options.addSwitch(
+    "--backface-culling", "leave out faces seen from behind", material.backfaceCulling);
+}
+
+void addIllustration(OptionList& options, MaterialSettings& material)
+{
+  options.startGroup("Illustration");
+  options.add("--tone", "name",
+    "none, gooch (warm faces the light), gooch-chapter\n(cool faces the light) (none)",
+    choose(material.tone, tones(), { "toon" }));
+  options.add("--cool", "r,g,b", "k_cool (0,0,0.4 + 0.2 k_d)", into(material.cool, parseIntensity));
+  options.add(
+    "--warm", "r,g,b", "k_warm (0.4,0.4,0 + 0.6 k_d)", into(material.warm, parseIntensity));
+  options.add("--outline", "name", "none, normal (where the surface turns away) (none)",
+    choose(material.outline, outlines(), { "hull", "image" }));
+  options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));
+}
+
+void addLights(OptionList& options, SceneSettings& scene)
+{
+  options.startGroup("Light (a headlight where not given)");
+  options.addRepeatable("--light", "light",
+    "one of\n"
+    "  headlight\n"
+    "  directional:dx,dy,dz:r,g,b\n"
+    "  point:x,y,z:r,g,b\n"
+    "  spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b\n"
+    "and may be repeated. Directions are the way the light\n"
+    "travels; colours may exceed 1; points and spots fall\n"
+    "off with the square of the distance; the cone is its\n"
+    "half angle in degrees",
+    [&scene](Text option, Text text) { scene.lights.push_back(parseLight(option, text)); });
+  options.add("--ambient-light", "r,g,b", "I_a (0,0,0)", into(scene.ambientLight, parseIntensity));
+}
+
+void addColoring(OptionList& options, ColoringSettings& coloring)
+{
+  options.startGroup("Colour by an array of the mesh");
+  options.add("--coloring-array", "name", "point or cell data; of a vector its length",
+    [&coloring](Text, Text text) { coloring.array = text; });
+  options.add("--colormap", "name", "viridis, cool-warm, rainbow, grayscale, black-body (viridis)",
+    [&coloring](Text option, Text text)
+    { coloring.colormap = parseChoice(option, text, kColormaps); });
+  options.add("--coloring-range", "a,b", "values of the ends of the map (of the array)",
+    into(coloring.range, parseRange));
+}
+
+} // namespace
+
+void addSceneOptions(OptionList& options, SceneSettings& scene)
+{
+  addCamera(options, scene.camera);
+  addMaterial(options, scene.material);
+  addIllustration(options, scene.material);
+  addLights(options, scene);
+  addColoring(options, scene.coloring);
+  options.startGroup("Picture");
+  options.add("--resolution", "width,height", "in pixels (1000,600)",
+    into(scene.resolution, parseResolution));
+  options.add(
+    "--samples", "n", "per pixel: 1, 2, 4, 8 (4)", choose(scene.samples, sampleCounts(), { "16" }));
+  options.add("--threads", "n", "how many cores to use (all)",
+    [&scene](Text option, Text text) { scene.threads = parseInteger(option, text, 1, 1024); });
+}
+
+} // namespace limn::viewer

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ClearViewport.h"
+
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace limn::bridge
+{
+namespace
+{
+
+using Frame = vtkLimnRenderWindow::vtkFrame;
+
+std::uint8_t toByte(double value)
+{
+  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255.0 + 0.5);
+}
+
+/// The colour of one row of the window.
+class RowColor
+{
+public:
+  RowColor(vtkRenderer* renderer, const Frame::Region& viewport) : renderer_(renderer)
+  {
+    double tile[4];
+    renderer->GetRenderWindow()->GetTileViewport(tile);
+    // Heights of the whole picture, of which the window may be just one tile.
+    const double pictureHeight = renderer->GetRenderWindow()->GetSize()[1];
+    const double* const part = renderer->GetViewport();
+    bottom_ = (part[1] - std::max(tile[1], 0.0)) * pictureHeight;
+    height_ = std::max((part[3] - part[1]) * pictureHeight, 1.0);
+    if (tile[1] <= part[1] && tile[3] >= part[3])
+    {
+      bottom_ = viewport.Y;
+      height_ = viewport.Height;
+    }
+  }
+
+  Rgba8 at(int y) const
+  {
+    const double* const low = renderer_->GetBackground();
+    if (!renderer_->GetGradientBackground())
+    {
+      return { toByte(low[0]), toByte(low[1]), toByte(low[2]),
+        toByte(renderer_->GetBackgroundAlpha()) };
+    }
+    const double* const high = renderer_->GetBackground2();
+    const double t = (y + 0.5 - bottom_) / height_;
+    // VTK cuts the two ends to bytes before it interpolates.
+    const auto mix = [t](double from, double to)
+    {
+      const double a = std::floor(std::clamp(from, 0.0, 1.0) * 255.0);
+      const double b = std::floor(std::clamp(to, 0.0, 1.0) * 255.0);
+      return toByte((a + (b - a) * t) / 255.0);
+    };
+    return { mix(low[0], high[0]), mix(low[1], high[1]), mix(low[2], high[2]), 255 };
+  }
+
+private:
+  vtkRenderer* renderer_;
+  double bottom_;
+  double height_;
+};
+
+} // namespace
+
+Frame::Region viewportOf(vtkRenderer* renderer, const Frame& frame)
+{
+  Frame::Region region;
+  renderer->GetTiledSizeAndOrigin(&region.Width, &region.Height, &region.X, &region.Y);
+  return frame.Clip(region);
+}
+
+void clearViewport(vtkRenderer* renderer, Frame& frame)
+{
+  const Frame::Region viewport = viewportOf(renderer, frame);
+  if (viewport.IsEmpty())
+  {
+    return;
+  }
+  const RowColor color(renderer, viewport);
+  for (int y = viewport.Y; y < viewport.Y + viewport.Height; ++y)
+  {
+    const size_t first = static_cast<size_t>(y) * frame.Width + viewport.X;
+    if (!renderer->Transparent())
+    {
+      std::fill_n(frame.Color.begin() + first, viewport.Width, color.at(y));
+    }
+    if (!renderer->GetPreserveDepthBuffer())
+    {
+      std::fill_n(frame.Depth.begin() + first, viewport.Width, 1.0f);
+    }
+  }
+}
+
+} // namespace limn::bridge

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DrawSurfaces.h"
+
+#include "BackendMapper.h"
+#include "MapperInternals.h"
+#include "SurfacePass.h"
+#include "WhatIsMissing.h"
+
+#include "vtkLimnCompositor.h"
+#include "vtkLimnHardwareSelector.h"
+#include "vtkLimnRenderWindow.h"
+
+#include "vtkActor.h"
+#include "vtkAlgorithm.h"
+#include "vtkCommand.h"
+#include "vtkPolyData.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+
+namespace limn::bridge
+{
+namespace
+{
+
+void updateInput(vtkLimnPolyDataMapper* mapper)
+{
+  mapper->InvokeEvent(vtkCommand::StartEvent);
+  if (!mapper->GetStatic())
+  {
+    mapper->GetInputAlgorithm()->Update();
+  }
+  mapper->InvokeEvent(vtkCommand::EndEvent);
+}
+
+void warnOnce(vtkLimnPolyDataMapper* mapper, vtkActor* actor, const Missing& missing)
+{
+  if (mapper->GetInternals().Warnings.insert(missing.feature).second)
+  {
+    vtkWarningWithObjectMacro(
+      mapper, "A " << actor->GetClassName() << " asks for " << missing.feature
+                   << ", which Limn cannot draw yet. "
+                   << (missing.surfaceIsDrawn ? "It is drawn without." : "It is not drawn.")
+                   << " Use an OpenGL window (LIMN_WINDOW=gl) for it.");
+  }
+}
+
+void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface)
+{
+  if (renderer->GetSelector())
+  {
+    if (auto* selector = vtkLimnHardwareSelector::SafeDownCast(renderer->GetSelector()))
+    {
+      selector->AddSurface(surface.actor, surface.mapper);
+    }
+    return;
+  }
+  const std::vector<Missing> missing = whatIsMissing(surface.actor, surface.mapper);
+  for (const Missing& one : missing)
+  {
+    warnOnce(surface.mapper, surface.actor, one);
+  }
+  if (std::all_of(
+        missing.begin(), missing.end(), [](const Missing& one) { return one.surfaceIsDrawn; }))
+  {
+    passOf(renderer).draw(surface);
+  }
+}
+
+} // namespace
+
+void collectSurfaces(vtkRenderer* renderer)
+{
+  passOf(renderer).expect(surfacesOf(renderer, Assemblies::kTraverse));
+}
+
+void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper)
+{
+  updateInput(mapper);
+  if (!mapper->GetInput()->GetPoints())
+  {
+    return;
+  }
+  const Surface surface = surfaceOf(actor, mapper);
+  if (vtkLimnRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    drawInLimnWindow(renderer, surface);
+  }
+  else if (renderer->GetSelector() || !whatIsMissing(actor, mapper).empty())
+  {
+    if (compositor())
+    {
+      compositor()->RenderWithBackend(renderer, actor, mapper);
+    }
+  }
+  else
+  {
+    passOf(renderer).draw(surface);
+  }
+}
+
+} // namespace limn::bridge

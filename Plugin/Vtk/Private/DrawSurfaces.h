@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef DrawSurfaces_h
+#define DrawSurfaces_h
+
+class vtkActor;
+class vtkLimnPolyDataMapper;
+class vtkRenderer;
+
+namespace limn::bridge
+{
+
+/// For renderers of ours, before their props render: notes all surfaces that will come, those
+/// inside of assemblies too, so that the first drawSurface() draws them together.
+void collectSurfaces(vtkRenderer* renderer);
+
+/// Draws what `mapper` shows of its input as `actor`. The first call of a pass draws the surfaces
+/// of all actors of the renderer that can be drawn, at once; later calls for these return at once.
+/// What Limn cannot draw goes to the window's own backend, or is named in a warning if there is
+/// none.
+void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper);
+
+} // namespace limn::bridge
+
+#endif

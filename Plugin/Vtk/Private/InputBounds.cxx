@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InputBounds.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataArrayRange.h"
+#include "vtkFloatArray.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn::bridge
+{
+namespace
+{
+
+vtkMTimeType meshTime(vtkPolyData* data)
+{
+  vtkMTimeType time = std::max(data->vtkObject::GetMTime(), data->GetPoints()->GetMTime());
+  time = std::max(time, data->GetPoints()->GetData()->GetMTime());
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    time = std::max({ time, cells->GetMTime(), cells->GetConnectivityArray()->GetMTime() });
+  }
+  return time;
+}
+
+template <class Visit>
+void forEachPointId(vtkPolyData* data, Visit visit)
+{
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    const auto visitAll = [&](auto* ids)
+    {
+      std::for_each(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfValues(),
+        [&](auto id) { visit(static_cast<vtkIdType>(id)); });
+    };
+    if (cells->IsStorage64Bit())
+    {
+      visitAll(cells->GetConnectivityArray64());
+    }
+    else
+    {
+      visitAll(cells->GetConnectivityArray32());
+    }
+  }
+}
+
+bool allPointsExist(vtkPolyData* data)
+{
+  const vtkIdType points = data->GetNumberOfPoints();
+  bool exist = true;
+  forEachPointId(data, [&](vtkIdType id) { exist &= id >= 0 && id < points; });
+  return exist;
+}
+
+bool allCoordinatesAreFinite(vtkPolyData* data)
+{
+  if (vtkFloatArray* const floats = vtkFloatArray::FastDownCast(data->GetPoints()->GetData()))
+  {
+    const float* const first = floats->GetPointer(0);
+    return std::all_of(
+      first, first + floats->GetNumberOfValues(), [](float value) { return std::isfinite(value); });
+  }
+  const auto values = vtk::DataArrayValueRange<3>(data->GetPoints()->GetData());
+  return std::all_of(
+    values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+}
+
+std::array<double, 6> boundsOfGoodPoints(vtkPolyData* data)
+{
+  std::array<double, 6> bounds = { 1, -1, 1, -1, 1, -1 };
+  const vtkIdType points = data->GetNumberOfPoints();
+  forEachPointId(data,
+    [&](vtkIdType id)
+    {
+      double p[3] = { NAN, NAN, NAN };
+      if (id >= 0 && id < points)
+      {
+        data->GetPoint(id, p);
+      }
+      if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+      {
+        return;
+      }
+      const bool isFirst = bounds[0] > bounds[1];
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        bounds[2 * axis] = isFirst ? p[axis] : std::min(bounds[2 * axis], p[axis]);
+        bounds[2 * axis + 1] = isFirst ? p[axis] : std::max(bounds[2 * axis + 1], p[axis]);
+      }
+    });
+  return bounds;
+}
+
+} // namespace
+
+bool InputBounds::areSafe(vtkPolyData* data)
+{
+  if (!data || !data->GetPoints())
+  {
+    return true;
+  }
+  if (data != data_ || time_ != meshTime(data))
+  {
+    data_ = data;
+    time_ = meshTime(data);
+    areSafe_ = allPointsExist(data) && allCoordinatesAreFinite(data);
+    bounds_ = areSafe_ ? std::array<double, 6>{} : boundsOfGoodPoints(data);
+  }
+  return areSafe_;
+}
+
+} // namespace limn::bridge

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef InputBounds_h
+#define InputBounds_h
+
+#include "vtkType.h"
+
+#include <array>
+
+class vtkPolyData;
+
+namespace limn::bridge
+{
+
+/// The box of what a vtkPolyData shows. vtkPolyData::GetCellsBounds() reads beyond the points where
+/// a cell names one that does not exist, and takes over coordinates that are not finite numbers.
+class InputBounds
+{
+public:
+  /// True if VTK can be left to compute the bounds. Looks only if `data` has changed.
+  bool areSafe(vtkPolyData* data);
+
+  /// Of the existing, finite points of cells, as xmin, xmax, ymin, ymax, zmin, zmax; xmin > xmax if
+  /// there are none. Call only after areSafe() was false.
+  const std::array<double, 6>& values() const { return bounds_; }
+
+private:
+  const void* data_ = nullptr;
+  vtkMTimeType time_ = 0;
+  bool areSafe_ = true;
+  std::array<double, 6> bounds_;
+};
+
+} // namespace limn::bridge
+
+#endif

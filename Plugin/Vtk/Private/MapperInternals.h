@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef MapperInternals_h
+#define MapperInternals_h
+
+#include "InputBounds.h"
+#include "SurfaceMesh.h"
+
+#include "vtkLimnPolyDataMapper.h"
+
+#include <set>
+#include <string>
+
+class vtkLimnPolyDataMapper::vtkInternals
+{
+public:
+  limn::bridge::SurfaceMesh Mesh;
+  limn::bridge::InputBounds InputBounds;
+  std::set<std::string> Warnings;     ///< features that are missing, said already
+  vtkIdType ComplainedAboutBuild = 0; ///< of which geometry what was left out was said
+};
+
+#endif

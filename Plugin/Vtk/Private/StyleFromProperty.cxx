@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StyleFromProperty.h"
+
+#include "vtkLimnProperty.h"
+
+namespace limn::bridge
+{
+namespace
+{
+
+Vec3f toVec3f(const double* v)
+{
+  return vec3Cast<float>(Vec3d{ v[0], v[1], v[2] });
+}
+
+int frequencyOf(vtkProperty* property)
+{
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  return limn ? limn->GetShadingFrequency() : vtkLimnProperty::FREQUENCY_AS_VTK;
+}
+
+/// VTK lights every pixel; its interpolation chooses the normals. Normals of points win over those
+/// of cells.
+NormalSource normalsAsVtk(vtkProperty* property, const SurfaceMesh& mesh)
+{
+  if (property->GetInterpolation() != VTK_FLAT && mesh.hasPointNormals())
+  {
+    return NormalSource::kVertex;
+  }
+  return mesh.hasCellNormals() ? NormalSource::kCell : NormalSource::kTriangle;
+}
+
+ShadingFrequency toFrequency(int frequency)
+{
+  switch (frequency)
+  {
+    case vtkLimnProperty::FREQUENCY_FLAT:
+      return ShadingFrequency::kFlat;
+    case vtkLimnProperty::FREQUENCY_GOURAUD:
+      return ShadingFrequency::kGouraud;
+    default:
+      return ShadingFrequency::kPhong;
+  }
+}
+
+Reflection toReflection(int model)
+{
+  switch (model)
+  {
+    case vtkLimnProperty::REFLECTION_NONE:
+      return Reflection::kNone;
+    case vtkLimnProperty::REFLECTION_LAMBERT:
+      return Reflection::kLambert;
+    case vtkLimnProperty::REFLECTION_BLINN_PHONG:
+      return Reflection::kBlinnPhong;
+    case vtkLimnProperty::REFLECTION_PHONG:
+      return Reflection::kPhong;
+    default:
+      return Reflection::kAsVtk;
+  }
+}
+
+Tone toTone(int tone)
+{
+  switch (tone)
+  {
+    case vtkLimnProperty::TONE_GOOCH:
+      return Tone::kGooch;
+    case vtkLimnProperty::TONE_GOOCH_CHAPTER:
+      return Tone::kGoochChapter;
+    default:
+      return Tone::kNone;
+  }
+}
+
+void setIllustration(vtkLimnProperty* property, Style& style)
+{
+  style.reflection = toReflection(property->GetReflectionModel());
+  style.tone = toTone(property->GetTone());
+  style.toneCool = toVec3f(property->GetCoolColor());
+  style.toneWarm = toVec3f(property->GetWarmColor());
+  style.coolSurface = static_cast<float>(property->GetCoolSurface());
+  style.warmSurface = static_cast<float>(property->GetWarmSurface());
+  if (property->GetOutline() == vtkLimnProperty::OUTLINE_NORMAL)
+  {
+    style.outlineThreshold = static_cast<float>(property->GetOutlineThreshold());
+    style.outlineColor = toVec3f(property->GetOutlineColor());
+  }
+}
+
+} // namespace
+
+Material materialOf(vtkProperty* property)
+{
+  Material material;
+  material.ambientColor = toVec3f(property->GetAmbientColor());
+  material.diffuseColor = toVec3f(property->GetDiffuseColor());
+  material.specularColor = toVec3f(property->GetSpecularColor());
+  material.ambient = static_cast<float>(property->GetAmbient());
+  material.diffuse = static_cast<float>(property->GetDiffuse());
+  material.specular = static_cast<float>(property->GetSpecular());
+  material.specularPower = static_cast<float>(property->GetSpecularPower());
+  return material;
+}
+
+Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)
+{
+  Style style;
+  const int frequency = frequencyOf(property);
+  style.frequency = toFrequency(frequency);
+  style.normals = frequency == vtkLimnProperty::FREQUENCY_AS_VTK ? normalsAsVtk(property, mesh)
+                                                                 : NormalSource::kVertex;
+  if (vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property))
+  {
+    setIllustration(limn, style);
+  }
+  if (!property->GetLighting())
+  {
+    style.reflection = Reflection::kNone;
+  }
+  return style;
+}
+
+SurfaceNeeds needsOf(vtkProperty* property)
+{
+  const int frequency = frequencyOf(property);
+  SurfaceNeeds needs;
+  needs.vertexNormals = frequency == vtkLimnProperty::FREQUENCY_GOURAUD ||
+                        frequency == vtkLimnProperty::FREQUENCY_PHONG;
+  needs.faceGeometry = frequency == vtkLimnProperty::FREQUENCY_FLAT;
+  return needs;
+}
+
+} // namespace limn::bridge

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef StyleFromProperty_h
+#define StyleFromProperty_h
+
+#include "SurfaceMesh.h"
+
+#include "Rendering/Scene.h"
+
+class vtkProperty;
+
+namespace limn::bridge
+{
+
+Material materialOf(vtkProperty* property);
+
+/// How the property wants `mesh` shaded; the rules of VTK's shaders unless it is a vtkLimnProperty
+/// that chooses something else.
+Style styleOf(vtkProperty* property, const SurfaceMesh& mesh);
+
+/// What styleOf() will read that is not in the data.
+SurfaceNeeds needsOf(vtkProperty* property);
+
+} // namespace limn::bridge
+
+#endif

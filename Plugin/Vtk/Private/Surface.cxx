@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Surface.h"
+
+#include "EngineState.h"
+#include "MapperInternals.h"
+#include "SceneFromRenderer.h"
+#include "StyleFromProperty.h"
+#include "WhatIsMissing.h"
+
+#include "vtkLimnActor.h"
+#include "vtkLimnRenderWindow.h"
+
+#include "vtkAssembly.h"
+#include "vtkAssemblyNode.h"
+#include "vtkAssemblyPath.h"
+#include "vtkCommand.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPolyData.h"
+#include "vtkPropAssembly.h"
+#include "vtkPropCollection.h"
+#include "vtkProperty.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace limn::bridge
+{
+namespace
+{
+
+/// Actors that render their mapper as themselves. Others, such as vtkFollower, pass another actor.
+bool rendersAsItself(vtkActor* actor)
+{
+  return vtkLimnActor::SafeDownCast(actor) ||
+         std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0;
+}
+
+void updateInput(vtkLimnPolyDataMapper* mapper)
+{
+  mapper->InvokeEvent(vtkCommand::StartEvent);
+  mapper->Update();
+  mapper->InvokeEvent(vtkCommand::EndEvent);
+}
+
+bool isDrawn(vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkRenderer* renderer)
+{
+  const std::vector<Missing> missing = whatIsMissing(actor, mapper);
+  // In windows of another backend that one draws the whole actor.
+  const bool isOurWindow = vtkLimnRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  return std::all_of(missing.begin(), missing.end(),
+    [isOurWindow](const Missing& one) { return isOurWindow && one.surfaceIsDrawn; });
+}
+
+class SurfaceCollector
+{
+public:
+  explicit SurfaceCollector(vtkRenderer* renderer) : renderer_(renderer) {}
+
+  void add(vtkProp* prop, vtkMatrix4x4* matrix)
+  {
+    vtkActor* const actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !actor->GetVisibility() || !rendersAsItself(actor))
+    {
+      return;
+    }
+    vtkLimnPolyDataMapper* const mapper = vtkLimnPolyDataMapper::SafeDownCast(actor->GetMapper());
+    if (!mapper || mapper->GetNumberOfInputConnections(0) == 0 ||
+        mapper->GetNumberOfSubPieces() != 1)
+    {
+      return;
+    }
+    updateInput(mapper);
+    if (!mapper->GetInput() || !actor->HasOpaqueGeometry() || !isDrawn(actor, mapper, renderer_))
+    {
+      return;
+    }
+    Surface surface = surfaceOf(actor, mapper);
+    if (matrix)
+    {
+      surface.modelToWorld = toMat4(matrix);
+    }
+    surfaces_.push_back(surface);
+  }
+
+  void addPaths(vtkProp* assembly)
+  {
+    assembly->InitPathTraversal();
+    while (vtkAssemblyPath* const path = assembly->GetNextPath())
+    {
+      vtkAssemblyNode* const node = path->GetLastNode();
+      this->add(node->GetViewProp(), node->GetMatrix());
+    }
+  }
+
+  std::vector<Surface> take() { return std::move(surfaces_); }
+
+private:
+  vtkRenderer* renderer_;
+  std::vector<Surface> surfaces_;
+};
+
+/// Colours surface and instance by the mapper's scalars, if they are visible.
+void setColors(vtkLimnPolyDataMapper* mapper, Instance& instance)
+{
+  SurfaceMesh& mesh = mapper->GetInternals().Mesh;
+  int cellFlag = 0;
+  vtkUnsignedCharArray* colors =
+    mapper->GetScalarVisibility() ? mapper->MapScalarsToColors(cellFlag) : nullptr;
+  const vtkIdType tuple = mapper->GetFieldDataTupleId();
+  constexpr int kFieldData = 2;
+  if (colors && cellFlag == kFieldData && tuple >= 0 && tuple < colors->GetNumberOfTuples())
+  {
+    const unsigned char* const rgba = colors->GetPointer(4 * tuple);
+    instance.material.diffuseColor = { rgba[0] / 255.0f, rgba[1] / 255.0f, rgba[2] / 255.0f };
+    instance.material.ambientColor = instance.material.diffuseColor;
+    colors = nullptr;
+  }
+  mesh.setColors(colors, cellFlag);
+}
+
+void complainOnce(vtkLimnPolyDataMapper* mapper)
+{
+  vtkLimnPolyDataMapper::vtkInternals& internals = mapper->GetInternals();
+  const std::string complaint = internals.Mesh.complaint();
+  if (!complaint.empty() && internals.ComplainedAboutBuild != internals.Mesh.geometryBuilds())
+  {
+    internals.ComplainedAboutBuild = internals.Mesh.geometryBuilds();
+    vtkWarningWithObjectMacro(mapper, "Not all of the input is drawn." << complaint);
+  }
+}
+
+} // namespace
+
+Surface surfaceOf(vtkActor* actor, vtkLimnPolyDataMapper* mapper)
+{
+  actor->ComputeMatrix();
+  return { actor, mapper, toMat4(actor->GetMatrix()) };
+}
+
+std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
+{
+  SurfaceCollector collector(renderer);
+  vtkPropCollection* const props = renderer->GetViewProps();
+  vtkCollectionSimpleIterator iterator;
+  props->InitTraversal(iterator);
+  while (vtkProp* const prop = props->GetNextProp(iterator))
+  {
+    const bool isAssembly = vtkAssembly::SafeDownCast(prop) || vtkPropAssembly::SafeDownCast(prop);
+    if (!isAssembly)
+    {
+      collector.add(prop, nullptr);
+    }
+    else if (prop->GetVisibility() && assemblies == Assemblies::kTraverse)
+    {
+      collector.addPaths(prop);
+    }
+  }
+  return collector.take();
+}
+
+bool describe(const Surface& surface, Instance& instance)
+{
+  vtkPolyData* const data = surface.mapper->GetInput();
+  if (!data->GetPoints() || data->GetNumberOfPoints() == 0)
+  {
+    return false;
+  }
+  const RenderOptions& options = EngineState::instance().options;
+  vtkProperty* const property = surface.actor->GetProperty();
+  SurfaceMesh& mesh = surface.mapper->GetInternals().Mesh;
+  SurfaceNeeds needs = needsOf(property);
+  needs.triangles = options.backend == Backend::kReference;
+  if (const Status status = mesh.update(data, needs, options.threads); !status.ok())
+  {
+    vtkErrorWithObjectMacro(surface.mapper, << status.message);
+    return false;
+  }
+  complainOnce(surface.mapper);
+  if (mesh.isEmpty())
+  {
+    return false;
+  }
+  instance.modelToWorld = surface.modelToWorld;
+  instance.material = materialOf(property);
+  instance.style = styleOf(property, mesh);
+  instance.cullBackFaces = property->GetBackfaceCulling() != 0;
+  instance.cullFrontFaces = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
+  setColors(surface.mapper, instance);
+  mesh.describe(instance);
+  return true;
+}
+
+} // namespace limn::bridge

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Surface_h
+#define Surface_h
+
+#include "Rendering/Scene.h"
+
+#include <vector>
+
+class vtkActor;
+class vtkLimnPolyDataMapper;
+class vtkRenderer;
+
+namespace limn::bridge
+{
+
+/// One thing to draw: a mapper's surface, as an actor wants it to look, at a place.
+struct Surface
+{
+  vtkActor* actor;
+  vtkLimnPolyDataMapper* mapper;
+  Mat4d modelToWorld;
+};
+
+/// At the actor's own place.
+Surface surfaceOf(vtkActor* actor, vtkLimnPolyDataMapper* mapper);
+
+enum class Assemblies
+{
+  kLeaveOut,
+  kTraverse, ///< not while an assembly of the renderer is rendering: that changes what it traverses
+};
+
+/// The opaque surfaces of the renderer's visible actors that Limn draws, in drawing order, their
+/// input brought up to date.
+std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies);
+
+/// The surface as an instance of a scene, borrowing from the mapper. False, with a message, if
+/// there is nothing to draw or something is wrong with the mesh.
+bool describe(const Surface& surface, Instance& instance);
+
+} // namespace limn::bridge
+
+#endif

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceMesh.h"
+
+#include "Rendering/Mesh/BuildClusters.h"
+#include "Rendering/Mesh/VertexNormals.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace limn::bridge
+{
+namespace
+{
+
+vtkMTimeType timeOf(vtkCellArray* cells)
+{
+  return std::max({ cells->GetMTime(), cells->GetOffsetsArray()->GetMTime(),
+    cells->GetConnectivityArray()->GetMTime() });
+}
+
+Span<const Rgba8> colorsOf(vtkUnsignedCharArray* colors)
+{
+  static_assert(sizeof(Rgba8) == 4, "a colour is four packed bytes");
+  return { reinterpret_cast<const Rgba8*>(colors->GetPointer(0)),
+    static_cast<std::size_t>(colors->GetNumberOfTuples()) };
+}
+
+} // namespace
+
+SurfaceMesh::Version SurfaceMesh::versionOf(vtkPolyData* data)
+{
+  vtkPoints* const points = data->GetPoints();
+  // Of the data set only its own time: with its attributes' times, which GetMTime() includes, other
+  // scalars would look like another geometry.
+  return { points->GetData(),
+    std::max({ data->vtkObject::GetMTime(), points->GetMTime(), points->GetData()->GetMTime(),
+      timeOf(data->GetPolys()), timeOf(data->GetStrips()) }) };
+}
+
+Status SurfaceMesh::update(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
+{
+  if (!(version_ == versionOf(data)))
+  {
+    version_ = versionOf(data);
+    buildStatus_ = this->rebuild(data, threads);
+  }
+  if (!buildStatus_.ok())
+  {
+    return buildStatus_;
+  }
+  this->updateNormals(data);
+  this->supply(data, needs);
+  return {};
+}
+
+void SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs)
+{
+  const bool lacksNormals =
+    needs.vertexNormals && !this->hasPointNormals() && computedNormals_.empty();
+  const bool lacksFaces = needs.faceGeometry && faces_.centroid.empty();
+  const bool lacksTriangles = surface_.triangles.empty() && !this->isEmpty();
+  if (lacksTriangles && (lacksNormals || lacksFaces || needs.triangles))
+  {
+    surface_ = trianglesFromPolyData(data, points_.view());
+  }
+  if (lacksNormals)
+  {
+    computedNormals_ = areaWeightedNormals(this->view());
+  }
+  if (lacksFaces)
+  {
+    faces_ = faceGeometry(this->view(), surface_.cells, cellCount_);
+  }
+  if (!needs.triangles)
+  {
+    // The pipeline reads clusters only, and of a large mesh these are hundreds of megabytes.
+    surface_.triangles = {};
+  }
+}
+
+Status SurfaceMesh::rebuild(vtkPolyData* data, int threads)
+{
+  ++geometryBuilds_;
+  computedNormals_ = {};
+  faces_ = {};
+  points_.set(data->GetPoints()->GetData());
+  surface_ = trianglesFromPolyData(data, points_.view());
+  cellCount_ = static_cast<std::size_t>(data->GetNumberOfCells());
+  clusters_ = {};
+  return buildClusters(this->view(), threads, clusters_);
+}
+
+void SurfaceMesh::updateNormals(vtkPolyData* data)
+{
+  pointNormals_.update(data->GetPointData()->GetNormals(), data->GetNumberOfPoints());
+  cellNormals_.update(data->GetCellData()->GetNormals(), data->GetNumberOfCells());
+}
+
+MeshView SurfaceMesh::view() const
+{
+  MeshView mesh = points_.view();
+  mesh.triangles = surface_.triangles;
+  return mesh;
+}
+
+void SurfaceMesh::setColors(vtkUnsignedCharArray* colors, int cellFlag)
+{
+  const std::size_t expected = cellFlag == 0 ? points_.view().vertexCount() : cellCount_;
+  const bool fits = colors && colors->GetNumberOfComponents() == 4 &&
+                    static_cast<std::size_t>(colors->GetNumberOfTuples()) == expected;
+  colors_ = fits ? colors : nullptr;
+  colorCellFlag_ = cellFlag;
+}
+
+void SurfaceMesh::describe(Instance& instance) const
+{
+  instance.clusters = &clusters_;
+  instance.mesh = this->view();
+  Attributes& attributes = instance.attributes;
+  attributes.vertexNormals =
+    pointNormals_.span().empty() ? Span<const Vec3f>(computedNormals_) : pointNormals_.span();
+  attributes.cellNormals = cellNormals_.span();
+  if (colors_)
+  {
+    (colorCellFlag_ == 0 ? attributes.vertexColors : attributes.cellColors) = colorsOf(colors_);
+  }
+  attributes.faceCentroids = faces_.centroid;
+  attributes.faceNormals = faces_.normal;
+  attributes.cells = surface_.cells;
+  attributes.cellCount = cellCount_;
+}
+
+std::string SurfaceMesh::complaint() const
+{
+  std::ostringstream text;
+  if (clusters_.notFiniteTriangles > 0)
+  {
+    text << " " << clusters_.notFiniteTriangles
+         << " triangles use a point with a coordinate that is not a finite number.";
+  }
+  if (clusters_.outOfRangeTriangles > 0)
+  {
+    text << " " << clusters_.outOfRangeTriangles << " triangles name a point that does not exist.";
+  }
+  if (surface_.malformedCells > 0)
+  {
+    text << " " << surface_.malformedCells << " cells reach beyond the cell array.";
+  }
+  return text.str();
+}
+
+} // namespace limn::bridge

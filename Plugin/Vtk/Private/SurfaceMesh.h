@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SurfaceMesh_h
+#define SurfaceMesh_h
+
+#include "TrianglesFromPolyData.h"
+#include "VectorArray.h"
+
+#include "Rendering/Base/Status.h"
+#include "Rendering/Mesh/FaceGeometry.h"
+#include "Rendering/Scene.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <string>
+
+class vtkDataArray;
+class vtkPolyData;
+class vtkUnsignedCharArray;
+
+namespace limn::bridge
+{
+
+/// Which arrays a style reads besides the geometry.
+struct SurfaceNeeds
+{
+  bool vertexNormals = false; ///< computed where the data has none
+  bool faceGeometry = false;
+  bool triangles = false; ///< for the reference renderer
+};
+
+/// What one mapper keeps of its input between frames. Geometry is prepared anew only when points or
+/// cells are other ones or were modified; arrays that a style needs are made when first needed.
+class SurfaceMesh
+{
+public:
+  /// Brings all up to date with `data`. Errors: those of buildClusters().
+  Status update(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
+
+  /// Colours of the points (`cellFlag` 0) or cells (1), kept by reference; nullptr for none.
+  void setColors(vtkUnsignedCharArray* colors, int cellFlag);
+
+  /// Sets the instance's geometry and attributes; they are valid until the next update().
+  void describe(Instance& instance) const;
+
+  bool isEmpty() const { return this->clusters_.triangleCount == 0; }
+  bool hasPointNormals() const { return !this->pointNormals_.span().empty(); }
+  bool hasCellNormals() const { return !this->cellNormals_.span().empty(); }
+  vtkIdType geometryBuilds() const { return this->geometryBuilds_; }
+
+  /// What had to be left out of the last geometry built, in words; empty if nothing.
+  std::string complaint() const;
+
+private:
+  struct Version
+  {
+    const void* points = nullptr;
+    vtkMTimeType time = 0;
+
+    bool operator==(const Version& other) const
+    {
+      return this->points == other.points && this->time == other.time;
+    }
+  };
+  static Version versionOf(vtkPolyData* data);
+  Status rebuild(vtkPolyData* data, int threads);
+  void supply(vtkPolyData* data, const SurfaceNeeds& needs);
+  void updateNormals(vtkPolyData* data);
+  MeshView view() const;
+
+  Version version_;
+  PointArray points_;
+  SurfaceTriangles surface_;
+  ClusteredMesh clusters_;
+  Status buildStatus_;
+  std::size_t cellCount_ = 0;
+  vtkIdType geometryBuilds_ = 0;
+
+  VectorArray pointNormals_;
+  VectorArray cellNormals_;
+  std::vector<Vec3f> computedNormals_;
+  FaceGeometry faces_;
+
+  vtkSmartPointer<vtkUnsignedCharArray> colors_;
+  int colorCellFlag_ = 0;
+};
+
+} // namespace limn::bridge
+
+#endif

@@ -1,0 +1,290 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfacePass.h"
+
+#include "BackendMapper.h"
+#include "ClearViewport.h"
+#include "EngineState.h"
+#include "SceneFromRenderer.h"
+
+#include "vtkLimnCompositor.h"
+#include "vtkLimnPolyDataMapper.h"
+#include "vtkLimnRenderWindow.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <memory>
+#include <unordered_map>
+
+namespace limn::bridge
+{
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// All passes, by their renderers. Never deleted: renderers may outlive static objects.
+class SurfacePasses
+{
+public:
+  static SurfacePasses& instance()
+  {
+    static SurfacePasses* const passes = new SurfacePasses;
+    return *passes;
+  }
+
+  SurfacePass& of(vtkRenderer* renderer)
+  {
+    std::unique_ptr<SurfacePass>& pass = passes_[renderer];
+    if (!pass)
+    {
+      pass = std::make_unique<SurfacePass>(renderer);
+      pass->beginFrame();
+      renderer->AddObserver(vtkCommand::StartEvent, this, &SurfacePasses::begin);
+      renderer->AddObserver(vtkCommand::DeleteEvent, this, &SurfacePasses::forget);
+    }
+    return *pass;
+  }
+
+private:
+  void begin(vtkObject* renderer, unsigned long, void*) { passes_.at(renderer)->beginFrame(); }
+  void forget(vtkObject* renderer, unsigned long, void*) { passes_.erase(renderer); }
+
+  std::unordered_map<vtkObject*, std::unique_ptr<SurfacePass>> passes_;
+};
+
+/// Those surfaces that have something to draw.
+struct Drawables
+{
+  std::vector<Instance> instances;
+  std::vector<vtkActor*> actors; ///< of the instances
+};
+
+Drawables describeAll(const std::vector<Surface>& surfaces)
+{
+  Drawables drawables;
+  for (const Surface& surface : surfaces)
+  {
+    Instance instance;
+    if (describe(surface, instance))
+    {
+      drawables.instances.push_back(instance);
+      drawables.actors.push_back(surface.actor);
+    }
+  }
+  return drawables;
+}
+
+} // namespace
+
+SurfacePass& passOf(vtkRenderer* renderer)
+{
+  return SurfacePasses::instance().of(renderer);
+}
+
+SurfacePass::SurfacePass(vtkRenderer* renderer) : renderer_(renderer) {}
+
+void SurfacePass::beginFrame()
+{
+  EngineState::instance().beginRenderer(renderer_);
+  isInPass_ = false;
+  isExpecting_ = false;
+  expected_.clear();
+  due_.clear();
+}
+
+void SurfacePass::expect(std::vector<Surface> surfaces)
+{
+  expected_ = std::move(surfaces);
+  isExpecting_ = true;
+}
+
+SurfacePass::View SurfacePass::currentView() const
+{
+  View view{};
+  view.camera = cameraOf(renderer_);
+  renderer_->GetTiledSizeAndOrigin(&view.place[0], &view.place[1], &view.place[2], &view.place[3]);
+  return view;
+}
+
+bool SurfacePass::isSameView() const
+{
+  const View now = this->currentView();
+  return std::memcmp(&now.camera.worldToView, &view_.camera.worldToView, sizeof(Mat4d)) == 0 &&
+         std::memcmp(&now.camera.viewToClip, &view_.camera.viewToClip, sizeof(Mat4d)) == 0 &&
+         std::equal(std::begin(now.place), std::end(now.place), std::begin(view_.place));
+}
+
+bool SurfacePass::isCrossedOff(vtkActor* actor)
+{
+  const auto entry = due_.find(actor);
+  if (entry == due_.end() || entry->second == 0)
+  {
+    return false;
+  }
+  --entry->second;
+  return true;
+}
+
+void SurfacePass::startPass()
+{
+  const std::vector<Surface> surfaces =
+    isExpecting_ ? expected_ : surfacesOf(renderer_, Assemblies::kLeaveOut);
+  due_.clear();
+  for (const Surface& surface : surfaces)
+  {
+    ++due_[surface.actor];
+  }
+  view_ = this->currentView();
+  isInPass_ = true;
+  this->drawTogether(surfaces);
+}
+
+void SurfacePass::draw(const Surface& surface)
+{
+  const bool isOfActor = surface.actor->GetMapper() == surface.mapper;
+  const bool isContinued = isInPass_ && this->isSameView();
+  if (isOfActor && (!isContinued || due_.count(surface.actor) > 0))
+  {
+    if (isContinued && this->isCrossedOff(surface.actor))
+    {
+      return;
+    }
+    this->startPass();
+    if (this->isCrossedOff(surface.actor))
+    {
+      return;
+    }
+  }
+  this->drawTogether({ surface });
+}
+
+void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
+{
+  const Clock::time_point start = Clock::now();
+  const Drawables drawables = describeAll(surfaces);
+  if (drawables.instances.empty())
+  {
+    return;
+  }
+  const std::vector<Light> lights = lightsOf(renderer_);
+  Scene scene;
+  scene.camera = cameraOf(renderer_);
+  scene.ambientLight = ambientLightOf(renderer_);
+  scene.lights = lights;
+  scene.instances = drawables.instances;
+  const double milliseconds = millisecondsSince(start);
+
+  if (this->renderInto(scene, milliseconds).ok())
+  {
+    return;
+  }
+  // One of them is at fault; the others should be seen.
+  for (std::size_t i = 0; i < drawables.actors.size(); ++i)
+  {
+    scene.instances = { &drawables.instances[i], 1 };
+    if (const Status status = this->renderInto(scene, 0); !status.ok())
+    {
+      vtkErrorWithObjectMacro(drawables.actors[i], "Not drawn: " << status.message);
+    }
+  }
+}
+
+Status SurfacePass::renderInto(const Scene& scene, double prepareMilliseconds)
+{
+  vtkLimnRenderWindow* const window =
+    vtkLimnRenderWindow::SafeDownCast(renderer_->GetRenderWindow());
+  return window ? this->renderInto(window, scene, prepareMilliseconds)
+                : this->renderLayer(scene, prepareMilliseconds);
+}
+
+Status SurfacePass::renderInto(
+  vtkLimnRenderWindow* window, const Scene& scene, double prepareMilliseconds)
+{
+  const auto viewport = viewportOf(renderer_, window->GetFrame());
+  if (viewport.IsEmpty())
+  {
+    return {};
+  }
+  Scene sampled = scene;
+  sampled.samples = window->GetSamplesPerPixel();
+  EngineState& engine = EngineState::instance();
+  RenderStats stats;
+  Status status = render(sampled, window->GetFrame().View(viewport), engine.options, &stats);
+  engine.add(stats, prepareMilliseconds);
+  return status;
+}
+
+FrameView SurfacePass::clearedLayer(int width, int height)
+{
+  const std::size_t pixels = static_cast<std::size_t>(width) * height;
+  if (width != layerWidth_ || height != layerHeight_)
+  {
+    layerWidth_ = width;
+    layerHeight_ = height;
+    layerColor_.assign(pixels, Rgba8{ 0, 0, 0, 0 });
+    layerDepth_.assign(pixels, 1.0f);
+    layerCoverage_.assign(pixels, 0);
+    layerTouched_ = {};
+  }
+  for (int y = layerTouched_.y0; y < layerTouched_.y1; ++y)
+  {
+    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width + layerTouched_.x0;
+    const int count = std::max(layerTouched_.x1 - layerTouched_.x0, 0);
+    std::fill_n(layerColor_.begin() + first, count, Rgba8{ 0, 0, 0, 0 });
+    std::fill_n(layerDepth_.begin() + first, count, 1.0f);
+    std::fill_n(layerCoverage_.begin() + first, count, std::uint8_t(0));
+  }
+  FrameView frame;
+  frame.width = width;
+  frame.height = height;
+  frame.rowStride = width;
+  frame.color = layerColor_.data();
+  frame.depth = layerDepth_.data();
+  frame.coverage = layerCoverage_.data();
+  frame.background = Background::kKeepApart;
+  return frame;
+}
+
+Status SurfacePass::renderLayer(const Scene& scene, double prepareMilliseconds)
+{
+  int size[2];
+  renderer_->GetTiledSize(&size[0], &size[1]);
+  if (!compositor() || size[0] <= 0 || size[1] <= 0)
+  {
+    return {};
+  }
+  Scene sampled = scene;
+  sampled.samples = compositor()->GetSamples(renderer_);
+  EngineState& engine = EngineState::instance();
+  RenderStats stats;
+  const FrameView frame = this->clearedLayer(size[0], size[1]);
+  layerTouched_ = { 0, 0, size[0], size[1] };
+  Status status = render(sampled, frame, engine.options, &stats);
+  engine.add(stats, prepareMilliseconds);
+  if (!status.ok())
+  {
+    return status;
+  }
+  layerTouched_ = stats.touched;
+  if (layerTouched_.x0 < layerTouched_.x1 && layerTouched_.y0 < layerTouched_.y1)
+  {
+    const vtkLimnCompositor::Layer layer = { size[0], size[1],
+      { layerTouched_.x0, layerTouched_.y0, layerTouched_.x1, layerTouched_.y1 }, sampled.samples,
+      &frame.color->r, frame.depth, frame.coverage };
+    compositor()->Composite(renderer_, layer);
+  }
+  return {};
+}
+
+} // namespace limn::bridge

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SurfacePass_h
+#define SurfacePass_h
+
+#include "Surface.h"
+
+#include "Rendering/FrameView.h"
+#include "Rendering/Renderer.h"
+
+#include <map>
+#include <vector>
+
+class vtkLimnRenderWindow;
+class vtkObject;
+class vtkRenderer;
+
+namespace limn::bridge
+{
+
+/// The drawing of one renderer's surfaces, from frame to frame.
+///
+/// VTK lets one actor after the other render. The first one of ours to come draws them all; who
+/// comes later in the same pass is crossed off. An actor that comes once more than it was drawn
+/// starts another pass, and so does a changed camera or viewport (shadow maps, tiles, stereo).
+class SurfacePass
+{
+public:
+  explicit SurfacePass(vtkRenderer* renderer);
+
+  void beginFrame();
+  /// The surfaces that will come, if they are known before the first does.
+  void expect(std::vector<Surface> surfaces);
+  void draw(const Surface& surface);
+
+private:
+  bool isCrossedOff(vtkActor* actor);
+  bool isSameView() const;
+  void startPass();
+  void drawTogether(const std::vector<Surface>& surfaces);
+  Status renderInto(const Scene& scene, double prepareMilliseconds);
+  Status renderInto(vtkLimnRenderWindow* window, const Scene& scene, double prepareMilliseconds);
+  Status renderLayer(const Scene& scene, double prepareMilliseconds);
+  FrameView clearedLayer(int width, int height);
+
+  struct View
+  {
+    Camera camera;
+    int place[4];
+  };
+  View currentView() const;
+
+  vtkRenderer* renderer_;
+  bool isExpecting_ = false;
+  std::vector<Surface> expected_;
+  bool isInPass_ = false;
+  View view_ = {};
+  std::map<vtkActor*, int> due_; ///< how often an actor drawn already is still to come
+
+  /// The layer for windows of other backends, and where the last one left something.
+  int layerWidth_ = 0;
+  int layerHeight_ = 0;
+  std::vector<Rgba8> layerColor_;
+  std::vector<float> layerDepth_;
+  std::vector<std::uint8_t> layerCoverage_;
+  PixelRectangle layerTouched_;
+};
+
+/// The pass of a renderer; it goes with the renderer.
+SurfacePass& passOf(vtkRenderer* renderer);
+
+} // namespace limn::bridge
+
+#endif

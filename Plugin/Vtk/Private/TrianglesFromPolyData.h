@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef TrianglesFromPolyData_h
+#define TrianglesFromPolyData_h
+
+#include "Rendering/Mesh/MeshView.h"
+
+#include <vector>
+
+class vtkPolyData;
+
+namespace limn::bridge
+{
+
+/// Triangles of a vtkPolyData, in the order in which VTK draws them: polygons, then strips.
+struct SurfaceTriangles
+{
+  std::vector<Triangle> triangles;
+  std::vector<std::uint32_t> cells; ///< VTK's cell of each triangle; empty if triangle t is cell t
+  std::size_t malformedCells = 0;   ///< left out: they reach beyond the cell array
+};
+
+/// Cuts polygons into fans around their first point and strips into triangles of one winding.
+/// Leaves out triangles with two corners of equal coordinates, as VTK does. Points that do not
+/// exist become a number that is out of range for any mesh. Requires: `points` views the points of
+/// `data`.
+SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, const MeshView& points);
+
+} // namespace limn::bridge
+
+#endif

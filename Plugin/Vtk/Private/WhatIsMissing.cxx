@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WhatIsMissing.h"
+
+#include "vtkLimnPolyDataMapper.h"
+
+#include "vtkActor.h"
+#include "vtkObjectFactory.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPolyData.h"
+#include "vtkProperty.h"
+#include "vtkShaderProperty.h"
+
+namespace limn::bridge
+{
+namespace
+{
+
+bool isShifted(vtkLimnPolyDataMapper* mapper)
+{
+  switch (vtkMapper::GetResolveCoincidentTopology())
+  {
+    case VTK_RESOLVE_SHIFT_ZBUFFER:
+      return true;
+    case VTK_RESOLVE_POLYGON_OFFSET:
+    {
+      // VTK 9.1 ignores the factor.
+      double factor = 0;
+      double units = 0;
+      mapper->GetCoincidentTopologyPolygonOffsetParameters(factor, units);
+      return units != 0;
+    }
+    default:
+      return false;
+  }
+}
+
+bool hasShaderCode(vtkActor* actor)
+{
+  // Without a backend that makes one, only a vtkLimnActor has a shader property.
+  if (!actor->IsA("vtkLimnActor") && !vtkObjectFactory::HasOverrideAny("vtkShaderProperty"))
+  {
+    return false;
+  }
+  vtkShaderProperty* const shaders = actor->GetShaderProperty();
+  return shaders &&
+         (shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasVertexShaderCode() ||
+           shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode());
+}
+
+bool hasTexture(vtkActor* actor)
+{
+  return actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0;
+}
+
+} // namespace
+
+std::vector<Missing> whatIsMissing(vtkActor* actor, vtkLimnPolyDataMapper* mapper)
+{
+  vtkProperty* const property = actor->GetProperty();
+  vtkPolyData* const data = mapper->GetInput();
+  const bool hasPlanes =
+    mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0;
+  const struct
+  {
+    bool asked;
+    const char* feature;
+    bool surfaceIsDrawn;
+  } features[] = {
+    { actor->IsRenderingTranslucentPolygonalGeometry(), "translucent surfaces", false },
+    { property->GetRepresentation() == VTK_WIREFRAME, "wireframes", false },
+    { property->GetRepresentation() == VTK_POINTS, "surfaces as points", false },
+    { hasPlanes, "clipping planes", false },
+    { data->GetNumberOfVerts() > 0, "vertex cells", true },
+    { data->GetNumberOfLines() > 0, "line cells", true },
+    { property->GetEdgeVisibility() != 0, "edges on surfaces", true },
+    { hasTexture(actor), "textures", true },
+    { actor->GetBackfaceProperty() != nullptr, "back face properties", true },
+    { property->GetInterpolation() == VTK_PBR, "physically based materials", true },
+    { mapper->GetScalarVisibility() && mapper->CanUseTextureMapForColoring(data),
+      "scalars interpolated before mapping", true },
+    { isShifted(mapper), "shifts of coincident topology", true },
+    { mapper->GetSelection() != nullptr, "marked selections", true },
+    { hasShaderCode(actor), "shader replacements", true },
+  };
+  std::vector<Missing> missing;
+  for (const auto& feature : features)
+  {
+    if (feature.asked)
+    {
+      missing.push_back({ feature.feature, feature.surfaceIsDrawn });
+    }
+  }
+  return missing;
+}
+
+} // namespace limn::bridge

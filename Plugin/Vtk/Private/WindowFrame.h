@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef WindowFrame_h
+#define WindowFrame_h
+
+#include "vtkLimnRenderWindow.h"
+
+#include "Rendering/FrameView.h"
+
+#include <vector>
+
+/// The pixels of a Limn window, row 0 at the bottom; empty until the window is rendered.
+class vtkLimnRenderWindow::vtkFrame
+{
+public:
+  /// Pixels [X, X + Width) x [Y, Y + Height) of the window; may reach beyond its borders.
+  struct Region
+  {
+    int X;
+    int Y;
+    int Width;
+    int Height;
+
+    /// From the corners that VTK's read-back functions take, in any order, both included. Empty if
+    /// the region is larger than any image.
+    static Region FromCorners(int x1, int y1, int x2, int y2);
+    bool IsEmpty() const { return this->Width <= 0 || this->Height <= 0; }
+    size_t GetSize() const
+    {
+      return this->IsEmpty() ? 0 : static_cast<size_t>(this->Width) * this->Height;
+    }
+  };
+
+  /// Keeps the content if the size stays the same, else starts with zeros and the farthest depth.
+  void Resize(int width, int height);
+  bool IsEmpty() const { return this->Color.empty(); }
+
+  /// The part of `region` that lies in the window.
+  Region Clip(const Region& region) const;
+  limn::FrameView View(const Region& inside);
+
+  /// Calls visit(pixel of the frame, or nullptr outside; index in the region) for each pixel of
+  /// the region, row by row from below.
+  template <class Planes, class Visit>
+  void ForEach(Planes& plane, const Region& region, Visit visit)
+  {
+    size_t index = 0;
+    for (int y = region.Y; y < region.Y + region.Height; ++y)
+    {
+      for (int x = region.X; x < region.X + region.Width; ++x, ++index)
+      {
+        const bool isInside = x >= 0 && x < this->Width && y >= 0 && y < this->Height;
+        visit(isInside ? &plane[static_cast<size_t>(y) * this->Width + x] : nullptr, index);
+      }
+    }
+  }
+
+  int Width = 0;
+  int Height = 0;
+  std::vector<limn::Rgba8> Color;
+  std::vector<float> Depth;
+};
+
+#endif

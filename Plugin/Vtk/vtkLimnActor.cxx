@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLimnActor.h"
+
+#include "Private/BackendMapper.h"
+#include "Private/ShaderProperty.h"
+
+#include "vtkLimnProperty.h"
+#include "vtkLimnRenderWindow.h"
+
+#include "vtkMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
+
+namespace
+{
+bool IsInLimnWindow(vtkViewport* viewport)
+{
+  return vtkLimnRenderWindow::SafeDownCast(viewport->GetVTKWindow()) != nullptr;
+}
+}
+
+vtkStandardNewMacro(vtkLimnActor);
+
+//------------------------------------------------------------------------------
+int vtkLimnActor::RenderOpaqueGeometry(vtkViewport* viewport)
+{
+  if (!IsInLimnWindow(viewport))
+  {
+    return this->Superclass::RenderOpaqueGeometry(viewport);
+  }
+  vtkRenderer* renderer = static_cast<vtkRenderer*>(viewport);
+  const bool selecting = renderer->GetSelector() && this->GetProperty()->GetOpacity() > 0.0;
+  if (!this->Mapper || !(this->HasOpaqueGeometry() || selecting))
+  {
+    return 0;
+  }
+  this->Render(renderer, this->Mapper);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkLimnActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  if (!IsInLimnWindow(viewport))
+  {
+    return this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+  }
+  vtkRenderer* renderer = static_cast<vtkRenderer*>(viewport);
+  if (!this->Mapper || renderer->GetSelector() || !this->HasTranslucentPolygonalGeometry())
+  {
+    return 0;
+  }
+  this->InTranslucentPass = true;
+  this->Render(renderer, this->Mapper);
+  this->InTranslucentPass = false;
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  limn::bridge::renderMapper(renderer, this, mapper);
+  this->EstimatedRenderTime += mapper->GetTimeToDraw();
+}
+
+//------------------------------------------------------------------------------
+vtkProperty* vtkLimnActor::MakeProperty()
+{
+  return vtkLimnProperty::New();
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProperty* vtkLimnActor::GetShaderProperty()
+{
+  if (!this->ShaderProperty)
+  {
+    this->SetShaderProperty(limn::bridge::makeShaderProperty());
+  }
+  return this->ShaderProperty;
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnActor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLimnActor
+ * @brief   an actor for Limn's mapper
+ *
+ * Used as any vtkActor, in a vtkLimnRenderWindow or in an OpenGL window beside ordinary actors. A
+ * property that it has to make itself is a vtkLimnProperty.
+ *
+ * @sa
+ * vtkLimnPolyDataMapper vtkLimnProperty
+ */
+
+#ifndef vtkLimnActor_h
+#define vtkLimnActor_h
+
+#include "vtkActor.h"
+#include "vtkLimnModule.h" // for export macro
+
+class VTKLIMN_EXPORT vtkLimnActor : public vtkActor
+{
+public:
+  static vtkLimnActor* New();
+  vtkTypeMacro(vtkLimnActor, vtkActor);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * As vtkActor's; in a vtkLimnRenderWindow without the calls by which textures and properties
+   * prepare a graphics library.
+   */
+  int RenderOpaqueGeometry(vtkViewport* viewport) override;
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
+  ///@}
+
+  vtkProperty* MakeProperty() override;
+
+  /**
+   * Made for the window's backend if there is one, else a vtkLimnShaderProperty.
+   */
+  vtkShaderProperty* GetShaderProperty() override;
+
+protected:
+  vtkLimnActor() = default;
+  ~vtkLimnActor() override = default;
+
+private:
+  vtkLimnActor(const vtkLimnActor&) = delete;
+  void operator=(const vtkLimnActor&) = delete;
+};
+
+#endif

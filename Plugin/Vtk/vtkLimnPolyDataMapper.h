@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLimnPolyDataMapper
+ * @brief   draws the surface of polygonal data by Limn's rasterizer
+ *
+ * Polygons and triangle strips, opaque, as a surface, coloured by the property or by scalars. All
+ * such actors of a renderer are drawn together, by all cores of the CPU. What is prepared for the
+ * geometry is kept until points or cells change; colours are mapped anew only if scalars or the
+ * lookup table do.
+ *
+ * What Limn does not draw yet (translucent actors, wireframe, points, lines, textures, ...) is
+ * drawn by the window's own backend in an OpenGL window. In a vtkLimnRenderWindow a warning says
+ * once what is missing.
+ *
+ * @sa
+ * vtkLimnActor vtkLimnProperty vtkLimnRenderWindow vtkLimnEngine
+ */
+
+#ifndef vtkLimnPolyDataMapper_h
+#define vtkLimnPolyDataMapper_h
+
+#include "vtkLimnModule.h" // for export macro
+#include "vtkPolyDataMapper.h"
+
+#include <memory> // for std::unique_ptr
+
+class VTKLIMN_EXPORT vtkLimnPolyDataMapper : public vtkPolyDataMapper
+{
+public:
+  static vtkLimnPolyDataMapper* New();
+  vtkTypeMacro(vtkLimnPolyDataMapper, vtkPolyDataMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  bool GetSupportsSelection() override { return true; }
+
+  /**
+   * How often the geometry has been prepared since this mapper was made: a figure that stays the
+   * same while only cameras, properties, scalars or lookup tables change.
+   */
+  vtkIdType GetNumberOfGeometryBuilds();
+
+  /**
+   * The colours of the input's scalars, one per point (`cellFlag` 0), one per cell (1) or per tuple
+   * of the field data (2); nullptr if the property colours the surface. Never colours that are
+   * meant to be looked up in a texture, whatever InterpolateScalarsBeforeMapping says.
+   */
+  vtkUnsignedCharArray* MapScalarsToColors(int& cellFlag);
+
+  /**
+   * What is kept between frames. For Limn's own use.
+   */
+  class vtkInternals;
+  VTK_WRAPEXCLUDE vtkInternals& GetInternals() { return *this->Internals; }
+
+protected:
+  vtkLimnPolyDataMapper();
+  ~vtkLimnPolyDataMapper() override;
+
+  /**
+   * As VTK's, but cells that name points that do not exist, and coordinates that are not finite
+   * numbers, are left out.
+   */
+  void ComputeBounds() override;
+
+private:
+  vtkLimnPolyDataMapper(const vtkLimnPolyDataMapper&) = delete;
+  void operator=(const vtkLimnPolyDataMapper&) = delete;
+
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLimnProperty
+ * @brief   a vtkProperty with the shading models of technical illustration
+ *
+ * An ordinary vtkProperty until one of its own settings is changed: with all of them at their
+ * defaults a surface looks as VTK's OpenGL shaders draw it. ShadingFrequency and ReflectionModel
+ * choose when and how light is computed, Tone replaces the diffuse shades by a colour scale, and
+ * Outline darkens the surface where it turns away from the viewer.
+ *
+ * Only Limn's mapper reads these settings. n is the surface normal, l points towards the light, v
+ * towards the eye, h halfway between them, r along the reflected ray; all are unit vectors.
+ *
+ * @sa
+ * vtkLimnActor vtkLimnPolyDataMapper
+ */
+
+#ifndef vtkLimnProperty_h
+#define vtkLimnProperty_h
+
+#include "vtkLimnModule.h" // for export macro
+#include "vtkProperty.h"
+
+class VTKLIMN_EXPORT vtkLimnProperty : public vtkProperty
+{
+public:
+  static vtkLimnProperty* New();
+  vtkTypeMacro(vtkLimnProperty, vtkProperty);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ShadingFrequencies
+  {
+    FREQUENCY_AS_VTK = 0,
+    FREQUENCY_FLAT,
+    FREQUENCY_GOURAUD,
+    FREQUENCY_PHONG
+  };
+
+  ///@{
+  /**
+   * How often light is computed: once per face at its centroid (Flat), once per vertex with colours
+   * interpolated (Gouraud), once per pixel with normals interpolated (Phong). As VTK, the default,
+   * follows Interpolation as VTK's shaders do: per pixel, with face normals if it is VTK_FLAT.
+   */
+  vtkSetClampMacro(ShadingFrequency, int, FREQUENCY_AS_VTK, FREQUENCY_PHONG);
+  vtkGetMacro(ShadingFrequency, int);
+  void SetShadingFrequencyToAsVTK() { this->SetShadingFrequency(FREQUENCY_AS_VTK); }
+  void SetShadingFrequencyToFlat() { this->SetShadingFrequency(FREQUENCY_FLAT); }
+  void SetShadingFrequencyToGouraud() { this->SetShadingFrequency(FREQUENCY_GOURAUD); }
+  void SetShadingFrequencyToPhong() { this->SetShadingFrequency(FREQUENCY_PHONG); }
+  const char* GetShadingFrequencyAsString();
+  ///@}
+
+  enum ReflectionModels
+  {
+    REFLECTION_AS_VTK = 0,
+    REFLECTION_NONE,
+    REFLECTION_LAMBERT,
+    REFLECTION_BLINN_PHONG,
+    REFLECTION_PHONG
+  };
+
+  ///@{
+  /**
+   * What a surface does with light. None: ambient plus diffuse colour, unlit. Lambert:
+   * k_a I_a + k_d I max(0, n.l). Blinn-Phong adds k_s I max(0, n.h)^p, Phong k_s I max(0, r.v)^p.
+   * I_a is vtkRenderer's Ambient. The default, as VTK, is what VTK's shaders compute.
+   */
+  vtkSetClampMacro(ReflectionModel, int, REFLECTION_AS_VTK, REFLECTION_PHONG);
+  vtkGetMacro(ReflectionModel, int);
+  void SetReflectionModelToAsVTK() { this->SetReflectionModel(REFLECTION_AS_VTK); }
+  void SetReflectionModelToNone() { this->SetReflectionModel(REFLECTION_NONE); }
+  void SetReflectionModelToLambert() { this->SetReflectionModel(REFLECTION_LAMBERT); }
+  void SetReflectionModelToBlinnPhong() { this->SetReflectionModel(REFLECTION_BLINN_PHONG); }
+  void SetReflectionModelToPhong() { this->SetReflectionModel(REFLECTION_PHONG); }
+  const char* GetReflectionModelAsString();
+  ///@}
+
+  enum Tones
+  {
+    TONE_NONE = 0,
+    TONE_GOOCH,
+    TONE_GOOCH_CHAPTER
+  };
+
+  ///@{
+  /**
+   * A colour scale in place of the diffuse term, for the first light. Gooch: warm where the surface
+   * faces the light, cool where it turns away. GoochChapter: the same scale the other way round.
+   * Default: None.
+   */
+  vtkSetClampMacro(Tone, int, TONE_NONE, TONE_GOOCH_CHAPTER);
+  vtkGetMacro(Tone, int);
+  void SetToneToNone() { this->SetTone(TONE_NONE); }
+  void SetToneToGooch() { this->SetTone(TONE_GOOCH); }
+  void SetToneToGoochChapter() { this->SetTone(TONE_GOOCH_CHAPTER); }
+  const char* GetToneAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The ends of the scale: k_cool = CoolColor + CoolSurface k_d and k_warm = WarmColor +
+   * WarmSurface k_d. Defaults: (0, 0, 0.4) and 0.2, (0.4, 0.4, 0) and 0.6.
+   */
+  vtkSetVector3Macro(CoolColor, double);
+  vtkGetVector3Macro(CoolColor, double);
+  vtkSetVector3Macro(WarmColor, double);
+  vtkGetVector3Macro(WarmColor, double);
+  vtkSetMacro(CoolSurface, double);
+  vtkGetMacro(CoolSurface, double);
+  vtkSetMacro(WarmSurface, double);
+  vtkGetMacro(WarmSurface, double);
+  ///@}
+
+  enum Outlines
+  {
+    OUTLINE_NONE = 0,
+    OUTLINE_NORMAL
+  };
+
+  ///@{
+  /**
+   * Normal: pixels where |n.v| is below OutlineThreshold get OutlineColor. Default: None.
+   */
+  vtkSetClampMacro(Outline, int, OUTLINE_NONE, OUTLINE_NORMAL);
+  vtkGetMacro(Outline, int);
+  void SetOutlineToNone() { this->SetOutline(OUTLINE_NONE); }
+  void SetOutlineToNormal() { this->SetOutline(OUTLINE_NORMAL); }
+  const char* GetOutlineAsString();
+  ///@}
+
+  ///@{
+  /**
+   * From 0 (no outline) to 1 (all of the surface). Default: 0.2.
+   */
+  vtkSetClampMacro(OutlineThreshold, double, 0.0, 1.0);
+  vtkGetMacro(OutlineThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Default: black.
+   */
+  vtkSetVector3Macro(OutlineColor, double);
+  vtkGetVector3Macro(OutlineColor, double);
+  ///@}
+
+  /**
+   * Copies all settings, those of a vtkLimnProperty too if `property` is one.
+   */
+  void DeepCopy(vtkProperty* property);
+
+protected:
+  vtkLimnProperty() = default;
+  ~vtkLimnProperty() override = default;
+
+  int ShadingFrequency = FREQUENCY_AS_VTK;
+  int ReflectionModel = REFLECTION_AS_VTK;
+  int Tone = TONE_NONE;
+  double CoolColor[3] = { 0.0, 0.0, 0.4 };
+  double WarmColor[3] = { 0.4, 0.4, 0.0 };
+  double CoolSurface = 0.2;
+  double WarmSurface = 0.6;
+  int Outline = OUTLINE_NONE;
+  double OutlineThreshold = 0.2;
+  double OutlineColor[3] = { 0.0, 0.0, 0.0 };
+
+private:
+  vtkLimnProperty(const vtkLimnProperty&) = delete;
+  void operator=(const vtkLimnProperty&) = delete;
+};
+
+#endif

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLimnRenderer
+ * @brief   a renderer for Limn's own window
+ *
+ * Draws the background and the surfaces of its actors into its viewport of a vtkLimnRenderWindow.
+ * Props of kinds that are not drawn (text, images, volumes, ...) are named once in a warning.
+ *
+ * @sa
+ * vtkLimnRenderWindow vtkLimnActor
+ */
+
+#ifndef vtkLimnRenderer_h
+#define vtkLimnRenderer_h
+
+#include "vtkLimnModule.h" // for export macro
+#include "vtkRenderer.h"
+
+#include <set>    // for std::set
+#include <string> // for std::string
+
+class vtkLimnRenderWindow;
+
+class VTKLIMN_EXPORT vtkLimnRenderer : public vtkRenderer
+{
+public:
+  static vtkLimnRenderer* New();
+  vtkTypeMacro(vtkLimnRenderer, vtkRenderer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void DeviceRender() override;
+  void Clear() override;
+  vtkCamera* MakeCamera() override;
+
+  /**
+   * The props given to PickPropFrom() while that runs, else all.
+   */
+  vtkPropCollection* GetPropsToPickFrom();
+
+protected:
+  vtkLimnRenderer() = default;
+  ~vtkLimnRenderer() override = default;
+
+  int UpdateCamera() override;
+  int UpdateLights() override;
+  int UpdateGeometry(vtkFrameBufferObjectBase* frameBuffer = nullptr) override;
+
+private:
+  vtkLimnRenderer(const vtkLimnRenderer&) = delete;
+  void operator=(const vtkLimnRenderer&) = delete;
+
+  void WarnOnce(const std::string& what);
+  void DropPropsThatAreNotDrawn();
+  void WarnOfUnusedSettings();
+
+  std::set<std::string> Warnings;
+};
+
+#endif

@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLimnOpenGLCompositor.h"
+
+#include "Private/BackendActor.h"
+#include "Private/LayerPainter.h"
+#include "Private/SampleMatch.h"
+#include "Private/SelectionIds.h"
+
+#include "vtkActor.h"
+#include "vtkCommand.h"
+#include "vtkHardwareSelector.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLPolyDataMapper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkWeakPointer.h"
+#include "vtk_glew.h"
+
+#include <map>
+#include <utility>
+
+namespace
+{
+/// Removes an observer when it goes, unless the observed object went first.
+class Observation
+{
+public:
+  Observation() = default;
+  Observation(vtkObject* object, unsigned long tag) : Object(object), Tag(tag) {}
+  Observation(const Observation&) = delete;
+  Observation& operator=(Observation&& other) noexcept
+  {
+    std::swap(this->Object, other.Object);
+    std::swap(this->Tag, other.Tag);
+    return *this;
+  }
+  bool IsActive() const { return this->Object != nullptr; }
+  ~Observation()
+  {
+    if (this->Object)
+    {
+      this->Object->RemoveObserver(this->Tag);
+    }
+  }
+
+private:
+  vtkWeakPointer<vtkObject> Object;
+  unsigned long Tag = 0;
+};
+
+struct Twin
+{
+  BackendActor Backend;
+  Observation OfActor;
+  Observation OfMapper;
+};
+
+struct WindowState
+{
+  explicit WindowState(vtkOpenGLRenderWindow* window) : Painter(window) {}
+  LayerPainter Painter;
+  std::map<vtkObject*, std::map<vtkObject*, Twin>> Twins; ///< by actor, then by mapper
+  Observation OfWindow;
+};
+}
+
+class vtkLimnOpenGLCompositor::vtkInternals
+{
+public:
+  WindowState& StateOf(vtkOpenGLRenderWindow* window, vtkLimnOpenGLCompositor* owner)
+  {
+    const auto found = this->Windows.try_emplace(window, window);
+    WindowState& state = found.first->second;
+    if (found.second)
+    {
+      state.OfWindow = Observation(window, window->AddObserver(vtkCommand::DeleteEvent, owner,
+                                             &vtkLimnOpenGLCompositor::ForgetWindow));
+    }
+    return state;
+  }
+
+  BackendActor& TwinOf(vtkOpenGLRenderWindow* window, vtkActor* actor, vtkMapper* mapper,
+    vtkLimnOpenGLCompositor* owner)
+  {
+    Twin& twin = this->StateOf(window, owner).Twins[actor][mapper];
+    if (!twin.OfActor.IsActive())
+    {
+      twin.OfActor = Observation(actor,
+        actor->AddObserver(vtkCommand::DeleteEvent, owner, &vtkLimnOpenGLCompositor::ForgetActor));
+      twin.OfMapper = Observation(mapper, mapper->AddObserver(vtkCommand::DeleteEvent, owner,
+                                            &vtkLimnOpenGLCompositor::ForgetMapper));
+    }
+    return twin.Backend;
+  }
+
+  std::map<vtkObject*, WindowState> Windows;
+  SelectionIds Selection;
+  Observation OfSelectingRenderer;
+};
+
+vtkStandardNewMacro(vtkLimnOpenGLCompositor);
+
+vtkLimnOpenGLCompositor::vtkLimnOpenGLCompositor() : Internals(new vtkInternals) {}
+
+vtkLimnOpenGLCompositor::~vtkLimnOpenGLCompositor() = default;
+
+void vtkLimnOpenGLCompositor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Windows: " << this->Internals->Windows.size() << "\n";
+}
+
+int vtkLimnOpenGLCompositor::GetSamples(vtkRenderer* renderer)
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow(renderer);
+  if (!window)
+  {
+    return 1;
+  }
+  window->MakeCurrent();
+  GLint samples = 0;
+  glGetIntegerv(GL_SAMPLES, &samples);
+  int supported = 1;
+  while (supported < 8 && 2 * supported <= samples)
+  {
+    supported *= 2;
+  }
+  return supported;
+}
+
+bool vtkLimnOpenGLCompositor::Composite(vtkRenderer* renderer, const Layer& layer)
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow(renderer);
+  if (!window)
+  {
+    return false;
+  }
+  if (!layer.Color || !layer.Depth || !layer.Coverage)
+  {
+    vtkErrorMacro("A layer needs colour, depth and coverage; one of them is missing.");
+    return false;
+  }
+  if (layer.Samples != 1 && layer.Samples != 2 && layer.Samples != 4 && layer.Samples != 8)
+  {
+    vtkErrorMacro("A layer has 1, 2, 4 or 8 samples per pixel, not " << layer.Samples << ".");
+    return false;
+  }
+  GLint viewport[4];
+  window->GetState()->vtkglGetIntegerv(GL_VIEWPORT, viewport);
+  if (layer.Width != viewport[2] || layer.Height != viewport[3])
+  {
+    vtkErrorMacro("The layer is " << layer.Width << " x " << layer.Height
+                                  << " pixels, but the viewport " << viewport[2] << " x "
+                                  << viewport[3] << ".");
+    return false;
+  }
+  if (!this->Internals->StateOf(window, this).Painter.Paint(layer))
+  {
+    vtkErrorMacro("OpenGL refuses a texture of " << layer.Width << " x " << layer.Height
+                                                 << " pixels; make the window smaller.");
+    return false;
+  }
+  return true;
+}
+
+void vtkLimnOpenGLCompositor::RenderWithBackend(
+  vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* mapper)
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow(renderer);
+  if (!window)
+  {
+    return;
+  }
+  BackendActor& twin = this->Internals->TwinOf(window, actor, mapper, this);
+  twin.Render(renderer, actor, mapper);
+  if (renderer->GetSelector())
+  {
+    this->NoteSelection(renderer, actor, twin.GetMapper());
+  }
+}
+
+void vtkLimnOpenGLCompositor::RenderMapperWithBackend(
+  vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
+{
+  if (vtkOpenGLRenderWindow* window = this->GetWindow(renderer))
+  {
+    this->Internals->TwinOf(window, actor, mapper, this)
+      .RenderOpenGLMapper(renderer, actor, mapper);
+  }
+}
+
+void vtkLimnOpenGLCompositor::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Internals->Windows.erase(window);
+}
+
+vtkOpenGLRenderWindow* vtkLimnOpenGLCompositor::GetWindow(vtkRenderer* renderer)
+{
+  vtkOpenGLRenderWindow* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!window)
+  {
+    vtkErrorMacro("The renderer is in no OpenGL window.");
+  }
+  return window;
+}
+
+void vtkLimnOpenGLCompositor::NoteSelection(
+  vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* twin)
+{
+  SelectionIds& selection = this->Internals->Selection;
+  if (selection.IsEmpty())
+  {
+    this->Internals->OfSelectingRenderer =
+      Observation(renderer, renderer->AddObserver(vtkCommand::EndEvent, this,
+                              &vtkLimnOpenGLCompositor::TranslateSelection));
+  }
+  selection.Note(renderer->GetSelector(), actor, twin);
+}
+
+void vtkLimnOpenGLCompositor::TranslateSelection(vtkObject* caller, unsigned long, void*)
+{
+  vtkHardwareSelector* selector = static_cast<vtkRenderer*>(caller)->GetSelector();
+  if (selector)
+  {
+    this->Internals->Selection.Translate(selector);
+  }
+}
+
+void vtkLimnOpenGLCompositor::ForgetWindow(vtkObject* caller, unsigned long, void*)
+{
+  this->Internals->Windows.erase(caller);
+}
+
+void vtkLimnOpenGLCompositor::ForgetActor(vtkObject* caller, unsigned long, void*)
+{
+  for (auto& window : this->Internals->Windows)
+  {
+    window.second.Twins.erase(caller);
+  }
+}
+
+void vtkLimnOpenGLCompositor::ForgetMapper(vtkObject* caller, unsigned long, void*)
+{
+  for (auto& window : this->Internals->Windows)
+  {
+    for (auto& twinsOfActor : window.second.Twins)
+    {
+      twinsOfActor.second.erase(caller);
+    }
+  }
+}

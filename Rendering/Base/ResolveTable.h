@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+namespace limn {
+
+/// The average of bytes at gamma 2.2, in integers: byte i stands for (i/255)^2.2, and a mean
+/// becomes the byte whose interval ((j-1/2)/255)^2.2 <= mean < ((j+1/2)/255)^2.2 holds it.
+class ResolveTable {
+ public:
+  static const ResolveTable& gamma22();
+
+  std::uint32_t linear(std::uint8_t byte) const { return linear_[byte]; }
+  /// Requires: `sum` is the sum of `count` linear() values, 1 <= count <= 8.
+  std::uint8_t byteOfMean(std::uint32_t sum, std::uint32_t count) const;
+
+ private:
+  ResolveTable();
+
+  std::uint32_t linear_[256];
+  std::uint32_t lowerEnd_[256];  ///< smallest mean that becomes byte j
+};
+
+}  // namespace limn

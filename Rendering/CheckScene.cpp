@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/CheckScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+namespace limn {
+namespace {
+
+bool isFinite(const Mat4d& matrix)
+{
+  const double* first = &matrix.m[0][0];
+  return std::all_of(first, first + 16, [](double v) { return std::isfinite(v); });
+}
+
+bool areNotNegative(std::initializer_list<float> values)
+{
+  return std::all_of(values.begin(), values.end(),
+                     [](float v) { return std::isfinite(v) && v >= 0; });
+}
+
+bool isNotNegative(Vec3f v)
+{
+  return areNotNegative({v.x, v.y, v.z});
+}
+
+Status checkFrame(const Scene& scene, const FrameView& frame)
+{
+  if (frame.width < 1 || frame.height < 1 || frame.width > kMaxImageSide ||
+      frame.height > kMaxImageSide)
+    return {Error::kInvalidImageSize, "Image size " + std::to_string(frame.width) + " x " +
+                                          std::to_string(frame.height) + " is not between 1 and " +
+                                          std::to_string(kMaxImageSide) +
+                                          " pixels a side; choose another resolution."};
+  if (frame.rowStride < frame.width)
+    return {Error::kInvalidImageSize, "The image's row stride is smaller than its width."};
+  if (frame.color == nullptr || frame.depth == nullptr)
+    return {Error::kMissingData, "The image has no colour or no depth plane."};
+  if (scene.samples != 1 && scene.samples != 2 && scene.samples != 4 && scene.samples != 8)
+    return {Error::kInvalidSampleCount,
+            "Samples per pixel: " + std::to_string(scene.samples) + " is not one of 1, 2, 4, 8."};
+  return {};
+}
+
+Status checkLight(const Light& light, std::size_t number)
+{
+  const std::string name = "Light " + std::to_string(number);
+  if (!isFinite(light.position) || !isFinite(light.direction) || !isFinite(light.color) ||
+      !isFinite(light.attenuation) || !std::isfinite(light.coneDegrees) ||
+      !std::isfinite(light.exponent))
+    return {Error::kNotFinite, name + " has a value that is not a finite number."};
+  if (!isNotNegative(light.color) || !isNotNegative(light.attenuation) || light.exponent < 0)
+    return {Error::kNotFinite, name + " has a negative colour, attenuation or exponent."};
+  const bool positional = light.kind == LightKind::kPoint || light.kind == LightKind::kSpot;
+  if (positional && light.attenuation == Vec3f{0, 0, 0})
+    return {Error::kNotFinite, name +
+                                   " has attenuation (0, 0, 0), a division by zero; the inverse "
+                                   "square law is (0, 0, 1)."};
+  if ((light.kind == LightKind::kDirectional || light.kind == LightKind::kSpot) &&
+      light.direction == Vec3d{0, 0, 0})
+    return {Error::kNotFinite, name + " has the direction (0, 0, 0)."};
+  if (light.kind == LightKind::kSpot && !(light.coneDegrees >= 0 && light.coneDegrees <= 90))
+    return {Error::kNotFinite, name + " has a cone angle outside 0 to 90 degrees."};
+  return {};
+}
+
+Status checkMaterial(const Instance& instance, const std::string& name)
+{
+  const Material& m = instance.material;
+  const Style& s = instance.style;
+  if (!areNotNegative({m.ambient, m.diffuse, m.specular, m.specularPower}) ||
+      !isNotNegative(m.ambientColor) || !isNotNegative(m.diffuseColor) ||
+      !isNotNegative(m.specularColor))
+    return {Error::kNotFinite, name + ": a material value is negative or not finite."};
+  if (!isFinite(s.toneCool) || !isFinite(s.toneWarm) || !isFinite(s.outlineColor) ||
+      !std::isfinite(s.coolSurface) || !std::isfinite(s.warmSurface) ||
+      !std::isfinite(s.outlineThreshold))
+    return {Error::kNotFinite, name + ": a style value is not finite."};
+  return {};
+}
+
+struct MeshSizes {
+  std::size_t vertices, triangles;
+};
+
+Status checkSize(std::size_t size, std::size_t needed, const std::string& what)
+{
+  if (size == 0 || size >= needed) return {};
+  return {Error::kSizeMismatch, what + ": " + std::to_string(size) + " values for " +
+                                    std::to_string(needed) + "; give one each or none."};
+}
+
+Status checkAttributes(const Instance& instance, MeshSizes sizes, const std::string& name)
+{
+  const Attributes& a = instance.attributes;
+  const Style& style = instance.style;
+  if (!a.cells.empty() && a.cells.size() < sizes.triangles)
+    return checkSize(a.cells.size(), sizes.triangles, name + ": cells of triangles");
+  const std::size_t cells = a.cells.empty() ? sizes.triangles : a.cellCount;
+  const bool flat = style.frequency == ShadingFrequency::kFlat;
+  if (flat && (a.faceCentroids.empty() || a.faceNormals.empty()) && sizes.triangles > 0)
+    return {Error::kMissingData, name + ": flat shading needs face centroids and normals."};
+  if (!flat && style.normals == NormalSource::kVertex && a.vertexNormals.empty() &&
+      sizes.triangles > 0)
+    return {Error::kMissingData, name + ": the style asks for vertex normals that are not there."};
+  if (!flat && style.normals == NormalSource::kCell && a.cellNormals.empty() && sizes.triangles > 0)
+    return {Error::kMissingData, name + ": the style asks for cell normals that are not there."};
+  const struct {
+    std::size_t size, needed;
+    const char* what;
+  } checks[] = {{a.vertexNormals.size(), sizes.vertices, ": vertex normals"},
+                {a.cellNormals.size(), cells, ": cell normals"},
+                {a.vertexColors.size(), sizes.vertices, ": vertex colours"},
+                {a.cellColors.size(), cells, ": cell colours"},
+                {a.faceCentroids.size(), cells, ": face centroids"},
+                {a.faceNormals.size(), cells, ": face normals"}};
+  for (const auto& check : checks)
+    if (Status status = checkSize(check.size, check.needed, name + check.what); !status.ok())
+      return status;
+  return {};
+}
+
+Status checkInstance(const Instance& instance, std::size_t number, Backend backend)
+{
+  const std::string name = "Instance " + std::to_string(number);
+  if (!isFinite(instance.modelToWorld))
+    return {Error::kNotFinite, name + ": its matrix has a value that is not a finite number."};
+  if (Status status = checkMaterial(instance, name); !status.ok()) return status;
+  if (backend == Backend::kPipeline) {
+    if (instance.clusters == nullptr)
+      return {Error::kMissingData, name + " has no clusters; call buildClusters()."};
+    const ClusteredMesh& mesh = *instance.clusters;
+    return checkAttributes(instance, {mesh.meshVertexCount, mesh.meshTriangleCount}, name);
+  }
+  if (instance.mesh.triangles.empty() && instance.clusters != nullptr &&
+      instance.clusters->triangleCount > 0)
+    return {Error::kMissingData, name + ": the reference renderer needs the mesh's triangles."};
+  return checkAttributes(instance, {instance.mesh.vertexCount(), instance.mesh.triangles.size()},
+                         name);
+}
+
+}  // namespace
+
+Status checkScene(const Scene& scene, const FrameView& frame, Backend backend)
+{
+  if (Status status = checkFrame(scene, frame); !status.ok()) return status;
+  if (!isFinite(scene.camera.worldToView) || !isFinite(scene.camera.viewToClip))
+    return {Error::kNotFinite, "A camera matrix has a value that is not a finite number."};
+  if (!isNotNegative(scene.ambientLight))
+    return {Error::kNotFinite, "The ambient light is negative or not finite."};
+  for (std::size_t i = 0; i < scene.lights.size(); ++i)
+    if (Status status = checkLight(scene.lights[i], i); !status.ok()) return status;
+  std::size_t clusters = 0;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    if (Status status = checkInstance(scene.instances[i], i, backend); !status.ok()) return status;
+    if (backend == Backend::kPipeline) clusters += scene.instances[i].clusters->clusters.size();
+  }
+  if (clusters >= kNobody)
+    return {Error::kTooManyPrimitives,
+            "The frame has more than 4294967294 clusters; draw fewer "
+            "meshes at once."};
+  return {};
+}
+
+}  // namespace limn

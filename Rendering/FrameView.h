@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Scene.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace limn {
+
+inline constexpr int kMaxImageSide = 16384;
+inline constexpr std::uint32_t kNobody = 0xFFFFFFFFu;
+
+enum class Background : std::uint8_t {
+  /// Samples that show nothing keep the pixel's old colour, and the average of all is written.
+  kBlend,
+  /// The average of the covered samples is written, with alpha 255; `coverage` tells how many.
+  kKeepApart,
+};
+
+/// Where a picture goes: borrowed rows, row 0 at the bottom, as glReadPixels has it. The scene is
+/// drawn over what the frame holds: `color` and `depth` are read and written.
+struct FrameView {
+  int width = 0, height = 0;
+  std::ptrdiff_t rowStride = 0;  ///< elements from a row to the next, in every plane
+  Rgba8* color = nullptr;
+  /// Window depth in [0, 1], 0 near. A sample is drawn where it is not behind the old depth; the
+  /// nearest sample's depth is written.
+  float* depth = nullptr;
+  std::uint8_t* coverage = nullptr;   ///< bit s set: sample s shows an instance; may be null
+  std::uint32_t* instance = nullptr;  ///< Instance::id of the nearest sample; may be null
+  std::uint32_t* cell = nullptr;      ///< cell of the nearest sample; may be null
+  Background background = Background::kBlend;
+};
+// Pixels that show no instance keep their old values in every plane.
+
+}  // namespace limn

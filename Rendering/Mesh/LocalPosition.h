@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Mesh/MeshView.h"
+
+namespace limn {
+
+/// A position relative to its mesh's origin, as high + low. `low` is what a float could not hold:
+/// zero for meshes given in float, and together about 48 bits for meshes given in double.
+struct LocalPosition {
+  Vec3f high, low;
+};
+
+/// An axis-aligned box; empty while low.x > high.x.
+struct Box {
+  Vec3d low = {1, 1, 1}, high = {-1, -1, -1};
+
+  bool empty() const { return low.x > high.x; }
+  void add(Vec3d p);
+};
+
+/// Box of all finite vertices, used by a triangle or not.
+Box finiteBox(const MeshView& mesh);
+
+/// The origin of a mesh's local coordinates: zero, unless the box lies so far out that a float
+/// would lose bits of its features; then the box's centre.
+Vec3d localOrigin(const Box& box);
+
+/// Requires: `p` finite. The result's `high` is infinite if p lies beyond a float's range.
+LocalPosition toLocal(Vec3d p, Vec3d origin);
+
+}  // namespace limn

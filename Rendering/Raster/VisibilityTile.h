@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Base/SamplePositions.h"
+#include "Rendering/Binning/TileGrid.h"
+#include "Rendering/FrameView.h"
+#include "Rendering/Vertex/TransformVertices.h"
+
+#include <cstdint>
+
+namespace limn {
+
+/// Names the triangle that a sample shows: the cluster's place in its tile's list, and the triangle
+/// within the cluster. kNobody where the sample shows none.
+struct TileOwner {
+  static constexpr int kTriangleBits = 7;
+  static_assert(kMaxClusterTriangles <= 1 << kTriangleBits, "a triangle's number must fit");
+  static constexpr std::size_t kMaxClustersPerTile = kNobody >> kTriangleBits;
+
+  static std::uint32_t make(std::uint32_t slot, std::uint32_t triangle)
+  {
+    return slot << kTriangleBits | triangle;
+  }
+  static std::uint32_t slot(std::uint32_t owner) { return owner >> kTriangleBits; }
+  static std::uint32_t triangle(std::uint32_t owner) { return owner & ((1u << kTriangleBits) - 1); }
+};
+
+/// The clusters of one tile, by slot.
+struct TileClusters {
+  const PlacedScene* scene;
+  Span<const std::uint32_t> list;
+
+  PlacedCluster at(std::uint32_t slot) const
+  {
+    const PlacedInstance& placed = scene->instances[scene->instanceOf(list[slot])];
+    return {&placed, &placed.mesh().clusters[list[slot] - placed.firstCluster]};
+  }
+  /// Whether a sample of equal depth goes from `old` to `fresh`: the later in draw order wins.
+  bool drawnLater(std::uint32_t fresh, std::uint32_t old) const;
+};
+
+/// What each sample of a tile shows: sample plane by sample plane, pixels row by row from below.
+struct alignas(64) VisibilityTile {
+  float depth[kMaxSamples][kTilePixels];          ///< a plane: 16 KiB
+  std::uint32_t owner[kMaxSamples][kTilePixels];  ///< a plane: 16 KiB
+};
+
+/// Fills the planes of `samples` samples with the frame's depth and nobody. Pixels outside the
+/// frame get a depth before everything.
+void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
+               VisibilityTile& tile);
+
+/// Finds for each sample the nearest triangle: smallest depth, then latest in draw order; so the
+/// order of clusters and triangles does not matter.
+/// Requires: clearTile(); at most TileOwner::kMaxClustersPerTile clusters.
+void rasterizeTile(const TileClusters& clusters, const TileRectangle& pixels, int samples,
+                   VisibilityTile& tile);
+
+}  // namespace limn

@@ -1,0 +1,397 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Reference/ReferenceRenderer.h"
+
+#include "Rendering/Base/ResolveTable.h"
+#include "Rendering/Base/SamplePositions.h"
+#include "Rendering/Mesh/LocalPosition.h"
+#include "Rendering/Reference/ReferenceShading.h"
+#include "Rendering/Vertex/ClipTriangle.h"
+#include "Rendering/Vertex/ViewSpace.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace limn::reference {
+namespace {
+
+/// Position on the screen, in subpixels.
+struct Point {
+  std::int64_t x, y;
+};
+
+/// Twice the signed area of (a, b, p): positive if p lies to the left of a -> b.
+std::int64_t edge(Point a, Point b, Point p)
+{
+  return (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x);
+}
+
+/// A triangle on the screen, turned counter-clockwise.
+struct ScreenTriangle {
+  ScreenVertex vertex[3];
+  double weight[3][3];  ///< of the original corners in each vertex
+  bool clipped;
+  bool clockwise;  ///< as it came
+  std::int64_t area;
+
+  Point point(int i) const { return {vertex[i].x, vertex[i].y}; }
+  /// Edge function opposite to vertex i.
+  std::int64_t edgeValue(int i, Point p) const
+  {
+    return edge(point((i + 1) % 3), point((i + 2) % 3), p);
+  }
+  bool covers(Point p) const
+  {
+    for (int i = 0; i < 3; ++i) {
+      const Point a = point((i + 1) % 3), b = point((i + 2) % 3);
+      // A sample on an edge belongs to the triangle whose left or top edge it is. Corners run
+      // counter-clockwise and y points up: left edges go down, top edges go left.
+      const bool topLeft = b.y < a.y || (b.y == a.y && b.x < a.x);
+      const std::int64_t e = edge(a, b, p);
+      if (topLeft ? e < 0 : e <= 0) return false;
+    }
+    return true;
+  }
+  /// Window depth, linear on the screen: z0 + e1/area (z1 - z0) + e2/area (z2 - z0).
+  float depth(Point p) const
+  {
+    const float inverse = 1.0f / static_cast<float>(area);
+    const float z1 = (vertex[1].depth - vertex[0].depth) * inverse;
+    const float z2 = (vertex[2].depth - vertex[0].depth) * inverse;
+    const float e1 = static_cast<float>(edgeValue(1, p));
+    const float e2 = static_cast<float>(edgeValue(2, p));
+    return vertex[0].depth + (e1 * z1 + e2 * z2);
+  }
+};
+
+std::optional<ScreenTriangle> orient(ScreenTriangle triangle)
+{
+  triangle.area = edge(triangle.point(0), triangle.point(1), triangle.point(2));
+  if (triangle.area == 0) return std::nullopt;
+  triangle.clockwise = triangle.area < 0;
+  if (triangle.clockwise) {
+    triangle.area = -triangle.area;
+    std::swap(triangle.vertex[1], triangle.vertex[2]);
+    std::swap(triangle.weight[1], triangle.weight[2]);
+  }
+  return triangle;
+}
+
+/// What the winner of a sample was.
+struct Owner {
+  std::uint32_t instance = kNobody;
+  std::uint32_t triangle = 0;
+
+  bool operator==(const Owner& o) const { return instance == o.instance && triangle == o.triangle; }
+  bool exists() const { return instance != kNobody; }
+};
+
+struct Sample {
+  float depth;
+  Owner owner;
+};
+
+/// An instance with its transform, and its triangles on the screen.
+class PlacedInstance {
+ public:
+  PlacedInstance(const Scene& scene, const Instance& instance, const FrameView& frame)
+      : instance_(instance)
+  {
+    frame_.origin = localOrigin(finiteBox(instance.mesh));
+    frame_.hasLowParts = false;
+    frame_.low = frame_.high = {0, 0, 0};
+    Box box;
+    for (std::size_t t = 0; t < instance.mesh.triangles.size(); ++t) {
+      if (!drawable(t)) continue;
+      for (const std::uint32_t v : instance.mesh.triangles[t].vertex) {
+        const LocalPosition p = local(v);
+        box.add(vec3Cast<double>(p.high));
+        if (!(p.low == Vec3f{0, 0, 0})) frame_.hasLowParts = true;
+      }
+    }
+    if (!box.empty()) {
+      frame_.low = vec3Cast<float>(box.low);
+      frame_.high = vec3Cast<float>(box.high);
+    }
+    transform_ = makeInstanceTransform(scene.camera, instance.modelToWorld, frame_, frame.width,
+                                       frame.height);
+  }
+
+  const Instance& instance() const { return instance_; }
+  const InstanceTransform& transform() const { return transform_; }
+  Vec3d origin() const { return frame_.origin; }
+
+  bool drawable(std::size_t t) const
+  {
+    for (const std::uint32_t v : instance_.mesh.triangles[t].vertex)
+      if (v >= instance_.mesh.vertexCount() || !isFinite(instance_.mesh.position(v)) ||
+          !isFinite(local(v).high))
+        return false;
+    return true;
+  }
+
+  /// The triangle's pieces on the screen after clipping, culled ones left out.
+  std::vector<ScreenTriangle> screenTriangles(std::size_t t) const
+  {
+    ClipPoint clip[3];
+    ScreenVertex corner[3];
+    bool needsClip = false;
+    for (int i = 0; i < 3; ++i) {
+      clip[i] = clipPoint(transform_, local(instance_.mesh.triangles[t].vertex[i]));
+      corner[i] = screenVertex(transform_, clip[i]);
+      needsClip = needsClip || corner[i].needsClip;
+    }
+    std::vector<ScreenTriangle> result;
+    if (!needsClip) {
+      add(result,
+          {{corner[0], corner[1], corner[2]}, {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, false, false, 0});
+      return result;
+    }
+    const ClippedTriangle polygon = clipTriangle(transform_, clip, corner);
+    for (int i = 1; i + 1 < polygon.count; ++i) {
+      ScreenTriangle piece = {};
+      const int fan[3] = {0, i, i + 1};
+      for (int k = 0; k < 3; ++k) {
+        piece.vertex[k] = polygon.vertex[fan[k]];
+        std::copy(polygon.weight[fan[k]], polygon.weight[fan[k]] + 3, piece.weight[k]);
+      }
+      piece.clipped = true;
+      add(result, piece);
+    }
+    return result;
+  }
+
+ private:
+  LocalPosition local(std::uint32_t v) const
+  {
+    return toLocal(instance_.mesh.position(v), frame_.origin);
+  }
+  void add(std::vector<ScreenTriangle>& result, const ScreenTriangle& piece) const
+  {
+    const auto oriented = orient(piece);
+    if (!oriented) return;
+    if (oriented->clockwise ? instance_.cullBackFaces : instance_.cullFrontFaces) return;
+    result.push_back(*oriented);
+  }
+
+  const Instance& instance_;
+  LocalFrame frame_;
+  InstanceTransform transform_;
+};
+
+/// (12.4): each linear weight times 1/w, divided by their sum.
+void perspectiveWeights(const float (&share)[3], float (&weight)[3])
+{
+  const float inverse = 1.0f / ((share[0] + share[1]) + share[2]);
+  for (int i = 0; i < 3; ++i)
+    weight[i] = share[i] * inverse;
+}
+
+SurfacePoint surfacePoint(const ScreenTriangle& piece, std::uint32_t triangle, bool mirrored,
+                          Point p)
+{
+  SurfacePoint point = {triangle, {}, piece.clockwise != mirrored};
+  float share[3];
+  for (int i = 0; i < 3; ++i) {
+    // Turning the triangle counter-clockwise has swapped its second and third vertex; sums run in
+    // the mesh's order.
+    const int corner = !piece.clipped && piece.clockwise && i != 0 ? 3 - i : i;
+    share[corner] = static_cast<float>(piece.edgeValue(i, p)) * piece.vertex[i].inverseW;
+  }
+  if (!piece.clipped) {
+    perspectiveWeights(share, point.weight);
+    return point;
+  }
+  float b[3];
+  perspectiveWeights(share, b);
+  for (int corner = 0; corner < 3; ++corner) {
+    const auto w = [&](int k) { return static_cast<float>(piece.weight[k][corner]); };
+    point.weight[corner] = (b[0] * w(0) + b[1] * w(1)) + b[2] * w(2);
+  }
+  return point;
+}
+
+std::uint8_t toByte(float x)
+{
+  const float bounded = x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+  return static_cast<std::uint8_t>(std::nearbyint(bounded * 255.0f));
+}
+
+std::uint8_t meanByte(const std::uint8_t* bytes, int count, Resolve resolve)
+{
+  std::uint32_t sum = 0;
+  for (int i = 0; i < count; ++i)
+    sum += resolve == Resolve::kGamma22 ? ResolveTable::gamma22().linear(bytes[i]) : bytes[i];
+  const auto n = static_cast<std::uint32_t>(count);
+  return resolve == Resolve::kGamma22 ? ResolveTable::gamma22().byteOfMean(sum, n)
+                                      : static_cast<std::uint8_t>((sum + n / 2) / n);
+}
+
+Rgba8 meanColor(const std::vector<Rgba8>& colors, Resolve resolve)
+{
+  std::uint8_t channel[4][kMaxSamples];
+  const int count = static_cast<int>(colors.size());
+  for (int i = 0; i < count; ++i) {
+    const Rgba8 c = colors[static_cast<std::size_t>(i)];
+    channel[0][i] = c.r;
+    channel[1][i] = c.g;
+    channel[2][i] = c.b;
+    channel[3][i] = c.a;
+  }
+  return {meanByte(channel[0], count, resolve), meanByte(channel[1], count, resolve),
+          meanByte(channel[2], count, resolve), meanByte(channel[3], count, Resolve::kLinear)};
+}
+
+class Picture {
+ public:
+  Picture(const Scene& scene, const FrameView& frame)
+      : scene_(scene), frame_(frame), offsets_(samplePositions(scene.samples))
+  {
+    for (const Light& light : scene.lights)
+      lights_.push_back(makeViewLight(light, scene.camera));
+    for (const Instance& instance : scene.instances)
+      placed_.emplace_back(scene, instance, frame);
+    samples_.resize(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) *
+                    offsets_.size());
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x)
+        for (std::size_t s = 0; s < offsets_.size(); ++s)
+          sample(x, y, s) = {frame.depth[frameIndex(x, y)], {}};
+  }
+
+  void findVisible()
+  {
+    for (std::uint32_t i = 0; i < placed_.size(); ++i)
+      for (std::uint32_t t = 0; t < placed_[i].instance().mesh.triangles.size(); ++t)
+        if (placed_[i].drawable(t))
+          for (const ScreenTriangle& piece : placed_[i].screenTriangles(t))
+            draw(piece, {i, t});
+  }
+
+  void shadeAll()
+  {
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        resolve(x, y);
+  }
+
+ private:
+  std::ptrdiff_t frameIndex(int x, int y) const { return y * frame_.rowStride + x; }
+  Sample& sample(int x, int y, std::size_t s)
+  {
+    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
+                              static_cast<std::size_t>(x);
+    return samples_[pixel * offsets_.size() + s];
+  }
+  Point position(int x, int y, SampleOffset offset) const
+  {
+    return {static_cast<std::int64_t>(x) * kSubpixels + offset.x,
+            static_cast<std::int64_t>(y) * kSubpixels + offset.y};
+  }
+
+  void draw(const ScreenTriangle& triangle, Owner owner)
+  {
+    const auto [left, right] =
+        std::minmax({triangle.vertex[0].x, triangle.vertex[1].x, triangle.vertex[2].x});
+    const auto [bottom, top] =
+        std::minmax({triangle.vertex[0].y, triangle.vertex[1].y, triangle.vertex[2].y});
+    const int x0 = std::max(0, left >> kSubpixelBits);
+    const int x1 = std::min(frame_.width - 1, right >> kSubpixelBits);
+    const int y0 = std::max(0, bottom >> kSubpixelBits);
+    const int y1 = std::min(frame_.height - 1, top >> kSubpixelBits);
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x)
+        for (std::size_t s = 0; s < offsets_.size(); ++s) {
+          const Point p = position(x, y, offsets_[s]);
+          if (!triangle.covers(p)) continue;
+          const float z = triangle.depth(p);
+          if (z > 1.0f) continue;
+          const float depth = z > 0.0f ? z : 0.0f;
+          // Less or equal: of equal depths the triangle drawn later is seen.
+          if (depth <= sample(x, y, s).depth) sample(x, y, s) = {depth, owner};
+        }
+  }
+
+  /// Where in the pixel an owner is shaded: at the centre if it has all samples, which surround the
+  /// centre, else at its first sample; so never outside the triangle.
+  SampleOffset shadingOffset(int x, int y, Owner owner)
+  {
+    std::size_t first = offsets_.size(), count = 0;
+    for (std::size_t s = 0; s < offsets_.size(); ++s)
+      if (sample(x, y, s).owner == owner) {
+        first = std::min(first, s);
+        ++count;
+      }
+    return count == offsets_.size() ? kPixelCentre : offsets_[first];
+  }
+
+  Rgba8 shadeOwner(int x, int y, Owner owner)
+  {
+    const PlacedInstance& placed = placed_[owner.instance];
+    const Point p = position(x, y, shadingOffset(x, y, owner));
+    const auto pieces = placed.screenTriangles(owner.triangle);
+    // The pieces of a clipped triangle are watertight but for rounding at their outer border.
+    auto piece = std::find_if(pieces.begin(), pieces.end(),
+                              [&](const ScreenTriangle& t) { return t.covers(p); });
+    if (piece == pieces.end()) piece = pieces.begin();
+    const SurfacePoint point = surfacePoint(*piece, owner.triangle, placed.transform().mirrored, p);
+    const Vec3f color =
+        shade(scene_, placed.instance(), placed.transform(), placed.origin(), lights_, point);
+    return {toByte(color.x), toByte(color.y), toByte(color.z), 255};
+  }
+
+  void resolve(int x, int y)
+  {
+    const std::ptrdiff_t index = frameIndex(x, y);
+    std::vector<Rgba8> colors;
+    std::uint8_t coverage = 0;
+    const Sample* nearest = nullptr;
+    for (std::size_t s = 0; s < offsets_.size(); ++s) {
+      const Sample& here = sample(x, y, s);
+      if (!here.owner.exists()) {
+        if (frame_.background == Background::kBlend) colors.push_back(frame_.color[index]);
+        continue;
+      }
+      colors.push_back(shadeOwner(x, y, here.owner));
+      coverage = static_cast<std::uint8_t>(coverage | (1u << s));
+      if (nearest == nullptr || here.depth < nearest->depth ||
+          (here.depth == nearest->depth && drawnLater(here.owner, nearest->owner)))
+        nearest = &here;
+    }
+    if (nearest == nullptr) return;
+    frame_.color[index] = meanColor(colors, scene_.resolve);
+    frame_.depth[index] = nearest->depth;
+    if (frame_.coverage != nullptr) frame_.coverage[index] = coverage;
+    const Instance& instance = placed_[nearest->owner.instance].instance();
+    if (frame_.instance != nullptr) frame_.instance[index] = instance.id;
+    if (frame_.cell != nullptr)
+      frame_.cell[index] = instance.attributes.cells.empty()
+                               ? nearest->owner.triangle
+                               : instance.attributes.cells[nearest->owner.triangle];
+  }
+
+  static bool drawnLater(Owner a, Owner b)
+  {
+    return a.instance != b.instance ? a.instance > b.instance : a.triangle > b.triangle;
+  }
+
+  const Scene& scene_;
+  const FrameView& frame_;
+  Span<const SampleOffset> offsets_;
+  std::vector<ViewLight> lights_;
+  std::vector<PlacedInstance> placed_;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace
+
+void render(const Scene& scene, const FrameView& frame)
+{
+  Picture picture(scene, frame);
+  picture.findVisible();
+  picture.shadeAll();
+}
+
+}  // namespace limn::reference

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Reference/ReferenceShading.h"
+
+#include "Rendering/Base/Power.h"
+
+#include <cmath>
+
+namespace limn::reference {
+namespace {
+
+/// One evaluation of a light equation: where, which way the surface faces, and what it reflects.
+struct Surface {
+  Vec3f position;                    ///< view space
+  Vec3f normal;                      ///< unit, view space
+  Vec3f ambient, diffuse, specular;  ///< k_a, k_d, k_s
+  float power;
+};
+
+/// What arrives at a point from one light.
+struct Arrival {
+  Vec3f toward;  ///< l
+  float fall;    ///< attenuation by distance and cone
+};
+
+float positive(float x)
+{
+  return x > 0.0f ? x : 0.0f;
+}
+
+Vec3f scaled(Vec3f color, float s)
+{
+  return color * s;
+}
+
+Arrival arrive(const ViewLight& light, Vec3f position)
+{
+  if (!light.positional()) return {light.towardLight, 1.0f};
+  const Vec3f way = light.position - position;
+  const float squared = dot(way, way);
+  const float distance = std::sqrt(squared);
+  const float inverse = distance > 0.0f ? 1.0f / distance : 0.0f;
+  const Vec3f toward = way * inverse;
+  const Vec3f a = light.attenuation;
+  const float denominator = (a.x + a.y * distance) + a.z * squared;
+  float fall = denominator > 0.0f ? 1.0f / denominator : 0.0f;
+  if (light.kind == LightKind::kSpot) {
+    const float cosine = dot(toward, light.towardLight);
+    fall = cosine >= light.coneCosine ? fall * power(cosine, light.exponent) : 0.0f;
+  }
+  return {toward, fall};
+}
+
+Vec3f towardEye(const Camera& camera, Vec3f position)
+{
+  return camera.parallel ? Vec3f{0, 0, 1} : normalized(-position);
+}
+
+float blinnPhong(Vec3f l, Vec3f v, const Surface& s)
+{
+  return power(positive(dot(s.normal, normalized(l + v))), s.power);
+}
+
+float reflectedRay(Vec3f l, Vec3f v, const Surface& s)
+{
+  const float twice = 2.0f * dot(s.normal, l);
+  const Vec3f r = s.normal * twice - l;
+  return power(positive(dot(r, v)), s.power);
+}
+
+/// VTK's own shaders (vtkOpenGLPolyDataMapper): one lone headlight has a path of its own.
+Vec3f asVtk(const std::vector<ViewLight>& lights, const Surface& s)
+{
+  if (lights.size() == 1 && lights[0].kind == LightKind::kHeadlight) {
+    const float df = positive(s.normal.z);
+    const Vec3f light = lights[0].color;
+    return (s.ambient + s.diffuse * scaled(light, df)) +
+           s.specular * scaled(light, power(df, s.power));
+  }
+  const Vec3f v = normalized(-s.position);
+  Vec3f diffuse = {0, 0, 0}, specular = {0, 0, 0};
+  for (const ViewLight& light : lights) {
+    const Arrival at = arrive(light, s.position);
+    const float nl = dot(s.normal, at.toward);
+    if (!(nl > 0.0f)) continue;
+    diffuse = diffuse + scaled(light.color, at.fall * nl);
+    specular = specular + scaled(light.color, at.fall * reflectedRay(at.toward, v, s));
+  }
+  return (s.ambient + diffuse * s.diffuse) + specular * s.specular;
+}
+
+/// (12.1), (12.3) and Phong's form of it.
+Vec3f chapter(const Scene& scene, Reflection reflection, const std::vector<ViewLight>& lights,
+              const Surface& s)
+{
+  const Vec3f v = towardEye(scene.camera, s.position);
+  Vec3f diffuse = {0, 0, 0}, specular = {0, 0, 0};
+  for (const ViewLight& light : lights) {
+    const Arrival at = arrive(light, s.position);
+    const float nl = dot(s.normal, at.toward);
+    if (!(nl > 0.0f)) continue;
+    diffuse = diffuse + scaled(light.color, at.fall * nl);
+    if (reflection == Reflection::kLambert) continue;
+    const float highlight = reflection == Reflection::kBlinnPhong ? blinnPhong(at.toward, v, s)
+                                                                  : reflectedRay(at.toward, v, s);
+    specular = specular + scaled(light.color, at.fall * highlight);
+  }
+  return (s.ambient * scene.ambientLight + diffuse * s.diffuse) + specular * s.specular;
+}
+
+Vec3f toned(const Scene& scene, const Style& style, const std::vector<ViewLight>& lights,
+            const Surface& s)
+{
+  const Vec3f l = lights.empty() ? Vec3f{0, 0, 1} : arrive(lights[0], s.position).toward;
+  const float nl = dot(l, s.normal);
+  const float facing = (1.0f + nl) * 0.5f, averted = (1.0f - nl) * 0.5f;
+  const Vec3f cool = style.toneCool + s.diffuse * style.coolSurface;
+  const Vec3f warm = style.toneWarm + s.diffuse * style.warmSurface;
+  const Vec3f tone = style.tone == Tone::kGoochChapter ? cool * facing + warm * averted
+                                                       : warm * facing + cool * averted;
+  const Vec3f v = towardEye(scene.camera, s.position);
+  return tone + scaled(s.specular, nl > 0.0f ? blinnPhong(l, v, s) : 0.0f);
+}
+
+Vec3f lightSurface(const Scene& scene, const Style& style, const std::vector<ViewLight>& lights,
+                   const Surface& s)
+{
+  if (style.tone != Tone::kNone) return toned(scene, style, lights, s);
+  switch (style.reflection) {
+    case Reflection::kNone:
+      return s.ambient + s.diffuse;
+    case Reflection::kAsVtk:
+      return asVtk(lights, s);
+    default:
+      return chapter(scene, style.reflection, lights, s);
+  }
+}
+
+Vec3f mix(const SurfacePoint& point, Vec3f a, Vec3f b, Vec3f c)
+{
+  return (a * point.weight[0] + b * point.weight[1]) + c * point.weight[2];
+}
+
+Vec3f bytes(Rgba8 c)
+{
+  return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+}
+
+/// One triangle of an instance, with access to all that is attached to it.
+class Face {
+ public:
+  Face(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+       Vec3d meshOrigin, const SurfacePoint& point)
+      : scene_(scene),
+        instance_(instance),
+        transform_(transform),
+        point_(point),
+        origin_(meshOrigin),
+        triangle_(instance.mesh.triangles[point.triangle]),
+        cell_(instance.attributes.cells.empty() ? point.triangle
+                                                : instance.attributes.cells[point.triangle])
+  {
+  }
+
+  Vec3f corner(int i) const
+  {
+    return toLocal(instance_.mesh.position(triangle_.vertex[i]), origin_).high;
+  }
+  Vec3f vertexNormal(int i) const
+  {
+    return instance_.attributes.vertexNormals[triangle_.vertex[i]];
+  }
+  Vec3f position(Vec3f local) const { return transformPoint(transform_.toView, local); }
+  Vec3f facing(Vec3f localNormal) const
+  {
+    const Vec3f n = normalized(transformDirection(transform_.normalToView, localNormal));
+    return point_.backFacing ? -n : n;
+  }
+
+  /// The mixed normal of the pixel, from the style's source.
+  Vec3f pixelNormal() const
+  {
+    switch (instance_.style.normals) {
+      case NormalSource::kVertex:
+        return facing(mix(point_, vertexNormal(0), vertexNormal(1), vertexNormal(2)));
+      case NormalSource::kCell:
+        return facing(instance_.attributes.cellNormals[cell_]);
+      default:
+        return facing(cross(corner(1) - corner(0), corner(2) - corner(0)));
+    }
+  }
+  /// Normal of one corner, for Gouraud's vertex colours.
+  Vec3f cornerNormal(int i) const
+  {
+    return instance_.style.normals == NormalSource::kVertex ? facing(vertexNormal(i))
+                                                            : pixelNormal();
+  }
+  Vec3f pixelPosition() const { return position(mix(point_, corner(0), corner(1), corner(2))); }
+  Vec3f facePosition() const { return position(instance_.attributes.faceCentroids[cell_]); }
+  Vec3f faceNormal() const { return facing(instance_.attributes.faceNormals[cell_]); }
+
+  /// Reflectances with the data's colour, if there is one, in place of the material's.
+  Surface surface(Vec3f position, Vec3f normal, const Vec3f* dataBytes) const
+  {
+    const Material& m = instance_.material;
+    const auto color = [&](Vec3f own) {
+      return dataBytes == nullptr
+                 ? own
+                 : Vec3f{dataBytes->x / 255.0f, dataBytes->y / 255.0f, dataBytes->z / 255.0f};
+    };
+    return {position,
+            normal,
+            scaled(color(m.ambientColor), m.ambient),
+            scaled(color(m.diffuseColor), m.diffuse),
+            scaled(m.specularColor, m.specular),
+            m.specularPower};
+  }
+
+  bool hasVertexColors() const { return !instance_.attributes.vertexColors.empty(); }
+  bool hasCellColors() const { return !instance_.attributes.cellColors.empty(); }
+  Vec3f cornerColor(int i) const
+  {
+    return hasVertexColors() ? bytes(instance_.attributes.vertexColors[triangle_.vertex[i]])
+                             : bytes(instance_.attributes.cellColors[cell_]);
+  }
+  Vec3f pixelColor() const
+  {
+    return hasVertexColors() ? mix(point_, cornerColor(0), cornerColor(1), cornerColor(2))
+                             : cornerColor(0);
+  }
+
+  Vec3f light(Vec3f position, Vec3f normal, Vec3f color, const std::vector<ViewLight>& lights) const
+  {
+    const bool colored = hasVertexColors() || hasCellColors();
+    return lightSurface(scene_, instance_.style, lights,
+                        surface(position, normal, colored ? &color : nullptr));
+  }
+
+ private:
+  const Scene& scene_;
+  const Instance& instance_;
+  const InstanceTransform& transform_;
+  const SurfacePoint& point_;
+  Vec3d origin_;
+  Triangle triangle_;
+  std::uint32_t cell_;
+};
+
+}  // namespace
+
+Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+            Vec3d meshOrigin, const std::vector<ViewLight>& lights, const SurfacePoint& point)
+{
+  const Face face(scene, instance, transform, meshOrigin, point);
+  const Style& style = instance.style;
+  const bool colored = face.hasVertexColors() || face.hasCellColors();
+  const bool flat = style.frequency == ShadingFrequency::kFlat;
+
+  if (style.outlineThreshold > 0.0f) {
+    const Vec3f n = flat ? face.faceNormal() : face.pixelNormal();
+    const Vec3f v = towardEye(scene.camera, face.pixelPosition());
+    if (std::fabs(dot(n, v)) < style.outlineThreshold) return style.outlineColor;
+  }
+  if (style.frequency == ShadingFrequency::kGouraud) {
+    Vec3f color[3];
+    for (int i = 0; i < 3; ++i)
+      color[i] = face.light(face.position(face.corner(i)), face.cornerNormal(i),
+                            colored ? face.cornerColor(i) : Vec3f{}, lights);
+    return mix(point, color[0], color[1], color[2]);
+  }
+  const Vec3f color = colored ? face.pixelColor() : Vec3f{};
+  return flat ? face.light(face.facePosition(), face.faceNormal(), color, lights)
+              : face.light(face.pixelPosition(), face.pixelNormal(), color, lights);
+}
+
+}  // namespace limn::reference

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Scene.h"
+#include "Rendering/Vertex/ViewSpace.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace limn::reference {
+
+/// A visible point of a triangle: which, and how the corners mix there (perspective-correct).
+struct SurfacePoint {
+  std::uint32_t triangle;
+  float weight[3];
+  bool backFacing;  ///< seen from the inside; normals are turned to the eye
+};
+
+/// The colour of a visible point by the instance's style, before clamping and rounding.
+Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+            Vec3d meshOrigin, const std::vector<ViewLight>& lights, const SurfacePoint& point);
+
+}  // namespace limn::reference

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Renderer.h"
+
+#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/FloatMode.h"
+#include "Rendering/Binning/BinClusters.h"
+#include "Rendering/CheckScene.h"
+#include "Rendering/Post/ResolveTile.h"
+#include "Rendering/Raster/VisibilityTile.h"
+#include "Rendering/Reference/ReferenceRenderer.h"
+#include "Rendering/Shading/Fragments.h"
+#include "Rendering/Vertex/PlacedScene.h"
+
+#include <chrono>
+#include <memory>
+
+namespace limn {
+namespace {
+
+/// What a thread needs for one tile; kept from frame to frame, so that no tile allocates.
+struct TileMemory {
+  VisibilityTile visible;
+  std::vector<Fragment> fragments;
+  std::vector<Rgba8> colors;
+  FragmentShader shader;
+};
+
+TileMemory& tileMemory()
+{
+  thread_local const auto memory = std::make_unique<TileMemory>();
+  return *memory;
+}
+
+class Stopwatch {
+ public:
+  double milliseconds() const
+  {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+void drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+              const FrameView& frame)
+{
+  const TileClusters clusters = {&scene, bins.clustersOf(tile)};
+  if (clusters.list.empty()) return;
+  const TileRectangle pixels = bins.grid.rectangle(tile);
+  const int samples = scene.scene->samples;
+  TileMemory& memory = tileMemory();
+
+  clearTile(frame, pixels, samples, memory.visible);
+  rasterizeTile(clusters, pixels, samples, memory.visible);
+  collectFragments(memory.visible, pixels, samples, memory.fragments);
+  memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
+  resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
+}
+
+void countScene(const PlacedScene& scene, const TileBins& bins, RenderStats& stats)
+{
+  stats.instances = scene.instances.size();
+  stats.clusters = scene.clusterCount;
+  for (const PlacedInstance& placed : scene.instances) {
+    stats.triangles += placed.mesh().triangleCount;
+    stats.vertices += placed.mesh().vertexCount;
+    stats.bytes += placed.mesh().bytes();
+  }
+  stats.binnedClusters = bins.cluster.size();
+  stats.bytes +=
+      bins.cluster.size() * sizeof(std::uint32_t) + scene.clusterCount * sizeof(TileRectangle);
+  if (bins.touched.x0 < bins.touched.x1)
+    stats.touched = {bins.touched.x0, bins.touched.y0, bins.touched.x1, bins.touched.y1};
+}
+
+Status renderPipeline(const Scene& scene, const FrameView& frame, int threads, RenderStats& stats)
+{
+  const Stopwatch binTime;
+  const PlacedScene placed = placeScene(scene, frame.width, frame.height);
+  TileBins bins;
+  if (Status status = binClusters(placed, threads, bins); !status.ok()) return status;
+  for (std::size_t tile = 0; tile < bins.grid.count(); ++tile)
+    if (bins.clustersOf(tile).size() > TileOwner::kMaxClustersPerTile)
+      return {Error::kTooManyPrimitives,
+              "More than 33554431 clusters meet one tile of 64 x 64 pixels; draw fewer meshes at "
+              "once or a larger image."};
+  stats.binMilliseconds = binTime.milliseconds();
+
+  const Stopwatch tileTime;
+  parallelFor(threads, bins.grid.count(),
+              [&](std::size_t tile) { drawTile(placed, bins, tile, frame); });
+  stats.tileMilliseconds = tileTime.milliseconds();
+  countScene(placed, bins, stats);
+  return {};
+}
+
+}  // namespace
+
+Status render(const Scene& scene, const FrameView& frame, const RenderOptions& options,
+              RenderStats* stats)
+{
+  const FloatMode mode;
+  if (Status status = checkScene(scene, frame, options.backend); !status.ok()) return status;
+  RenderStats frameStats;
+  if (options.backend == Backend::kReference) {
+    const Stopwatch time;
+    reference::render(scene, frame);
+    frameStats.instances = scene.instances.size();
+    for (const Instance& instance : scene.instances)
+      frameStats.triangles += instance.mesh.triangles.size();
+    frameStats.tileMilliseconds = time.milliseconds();
+    frameStats.touched = {0, 0, frame.width, frame.height};
+  } else if (Status status = renderPipeline(scene, frame, options.threads, frameStats);
+             !status.ok()) {
+    return status;
+  }
+  if (stats != nullptr) *stats = frameStats;
+  return {};
+}
+
+}  // namespace limn

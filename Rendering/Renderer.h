@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Base/Status.h"
+#include "Rendering/FrameView.h"
+#include "Rendering/Scene.h"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace limn {
+
+enum class Backend : std::uint8_t {
+  kPipeline,   ///< clusters, tiles, vector kernels, all cores; reads Instance::clusters
+  kReference,  ///< plain scalar code, one thread; reads Instance::mesh; the same bytes
+};
+
+struct RenderOptions {
+  Backend backend = Backend::kPipeline;
+  int threads = 0;  ///< 0: all; the picture does not depend on it
+};
+
+/// Pixels [x0, x1) x [y0, y1); empty if x0 >= x1.
+struct PixelRectangle {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
+
+/// What one frame did. Times are wall-clock milliseconds.
+struct RenderStats {
+  std::size_t instances = 0, clusters = 0, triangles = 0, vertices = 0;
+  std::size_t binnedClusters = 0;  ///< cluster-tile pairs after culling
+  double binMilliseconds = 0, tileMilliseconds = 0;
+  std::size_t bytes = 0;   ///< of the clusters and of the frame's own memory
+  PixelRectangle touched;  ///< no pixel outside was written
+};
+
+/// Draws `scene` into `frame`. The picture depends on the scene and the frame's old content only:
+/// not on the backend, the threads, the instruction set or earlier calls. Errors:
+/// kInvalidImageSize, kInvalidSampleCount, kNotFinite (a matrix, light or material), kSizeMismatch,
+/// kMissingData, kTooManyPrimitives. On an error nothing is drawn.
+Status render(const Scene& scene, const FrameView& frame, const RenderOptions& options = {},
+              RenderStats* stats = nullptr);
+
+/// Names of the instruction sets that the kernels are built for and this CPU has, best first
+/// ("AVX3", "AVX2", "SSE4", "SSSE3"; "NEON" on AArch64).
+std::vector<std::string> availableTargets();
+/// Makes all kernels use one of availableTargets(), or the best again for "". False if unknown. For
+/// tests and developers; not while another thread renders.
+bool useTarget(const std::string& name);
+/// The instruction set in use.
+std::string currentTarget();
+
+}  // namespace limn

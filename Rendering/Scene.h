@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Base/Mat4.h"
+#include "Rendering/Base/Span.h"
+#include "Rendering/Base/Vec.h"
+#include "Rendering/Mesh/ClusteredMesh.h"
+#include "Rendering/Mesh/MeshView.h"
+
+#include <cstdint>
+
+/// What a frame shows, as plain data. Nothing here owns memory: the host keeps the arrays alive for
+/// the time of one render() call.
+///
+/// Notation of the shading terms: n normal, l towards the light, v towards the eye, h halfway
+/// between l and v, all unit vectors; "(12.x)" are equations of the chapter on light and shading.
+namespace limn {
+
+struct Rgba8 {
+  std::uint8_t r, g, b, a;
+};
+
+struct Camera {
+  Mat4d worldToView;  ///< eye at the origin, looking along -z, y up; a rigid motion
+  Mat4d viewToClip;   ///< OpenGL's clip space: -w <= x, y, z <= w is visible
+  bool parallel;      ///< parallel projection: v is (0, 0, 1) everywhere
+};
+
+enum class LightKind : std::uint8_t {
+  kHeadlight,    ///< directional, along the gaze; placed by the camera
+  kDirectional,  ///< parallel rays; intensity does not fall off
+  kPoint,        ///< from `position` in all directions
+  kSpot,         ///< from `position`, inside a cone around `direction`
+};
+
+struct Light {
+  LightKind kind = LightKind::kHeadlight;
+  Vec3d position = {0, 0, 1};    ///< world
+  Vec3d direction = {0, 0, -1};  ///< world, the way the light travels; any length but zero
+  Vec3f color = {1, 1, 1};       ///< intensity per channel, >= 0, may exceed 1
+  /// Point and spot: colour times 1 / (a + b r + c r^2). (0, 0, 1) is the chapter's I_p / r^2, and
+  /// (1, 0, 0), VTK's default, no fall-off.
+  Vec3f attenuation = {0, 0, 1};
+  float coneDegrees = 30;  ///< spot: half angle of the cone, 0 to 90; hard edge
+  float exponent = 1;      ///< spot: colour times cos(angle to the axis)^exponent
+};
+
+/// How often a light equation is evaluated.
+enum class ShadingFrequency : std::uint8_t {
+  kFlat,     ///< once per face, at its centroid with the face normal; needs FaceGeometry arrays
+  kGouraud,  ///< once per vertex; colours are interpolated with (12.4)
+  kPhong,    ///< once per pixel; normals are interpolated with (12.4) and renormalised
+};
+
+enum class NormalSource : std::uint8_t {
+  kTriangle,  ///< of the triangle's plane
+  kCell,      ///< Attributes::cellNormals
+  kVertex,    ///< Attributes::vertexNormals
+};
+
+enum class Reflection : std::uint8_t {
+  /// As VTK's OpenGL shaders: k_a + sum of k_d max(0, n.l) I + highlight, where the highlight is
+  /// k_s max(0, n.z)^p for a single headlight and the reflected-ray form for all else.
+  kAsVtk,
+  kNone,        ///< unlit: k_a + k_d
+  kLambert,     ///< (12.1): k_a I_a + sum k_d I max(0, n.l)
+  kBlinnPhong,  ///< (12.3): (12.1) + sum k_s I max(0, n.h)^p
+  kPhong,       ///< (12.1) + sum k_s I max(0, r.v)^p, r the reflected ray
+};
+
+enum class Tone : std::uint8_t {
+  kNone,
+  kGooch,         ///< warm faces the light: ((1+l.n)/2) k_warm + ((1-l.n)/2) k_cool
+  kGoochChapter,  ///< (12.6) as printed: cool faces the light
+};
+
+struct Material {
+  Vec3f ambientColor = {1, 1, 1}, diffuseColor = {1, 1, 1}, specularColor = {1, 1, 1};
+  float ambient = 0, diffuse = 1, specular = 0;  ///< k_a, k_d, k_s are colour times coefficient
+  float specularPower = 1;                       ///< p >= 0
+};
+
+struct Style {
+  ShadingFrequency frequency = ShadingFrequency::kPhong;
+  NormalSource normals = NormalSource::kVertex;  ///< for kPhong and kGouraud
+  Reflection reflection = Reflection::kAsVtk;
+  /// A tone replaces the diffuse term: l is that of the first light. k_cool = toneCool +
+  /// coolSurface k_d and k_warm = toneWarm + warmSurface k_d (Gooch 1998, equation 3). The
+  /// highlight k_s max(0, n.h)^p of that light, without its colour, is added.
+  Tone tone = Tone::kNone;
+  Vec3f toneCool = {0, 0, 0.4f}, toneWarm = {0.4f, 0.4f, 0};
+  float coolSurface = 0.2f, warmSurface = 0.6f;
+  /// Pixels with |n.v| below this get outlineColor (figure 12.15); 0 draws no outline.
+  float outlineThreshold = 0;
+  Vec3f outlineColor = {0, 0, 0};
+};
+
+/// Values on a mesh. Sizes: one per vertex or one per cell of the MeshView, or empty.
+struct Attributes {
+  Span<const Vec3f> vertexNormals;  ///< need not be unit
+  Span<const Vec3f> cellNormals;
+  /// Replace the material's diffuse and ambient *colours*; vertex colours win over cell colours.
+  /// Alpha is not read.
+  Span<const Rgba8> vertexColors;
+  Span<const Rgba8> cellColors;
+  Span<const Vec3f> faceCentroids, faceNormals;  ///< FaceGeometry, per cell
+  Span<const std::uint32_t> cells;  ///< cell of each triangle; empty: triangle t is cell t
+  std::size_t cellCount = 0;        ///< with `cells`: one more than the largest cell
+};
+
+/// One mesh in the world. Draw order is the order in Scene::instances, then of the triangles.
+struct Instance {
+  const ClusteredMesh* clusters = nullptr;  ///< read by the pipeline
+  MeshView mesh;                            ///< read by the reference renderer
+  Attributes attributes;
+  Mat4d modelToWorld = Mat4d::identity();
+  Material material;
+  Style style;
+  bool cullBackFaces = false, cullFrontFaces = false;  ///< front: counter-clockwise on the screen
+  std::uint32_t id = 0;  ///< written to FrameView::instance where this instance is seen
+};
+
+/// How the samples of a pixel become one colour.
+enum class Resolve : std::uint8_t {
+  kGamma22,  ///< (mean of c^2.2)^(1/2.2), as VTK's windows resolve
+  kLinear,   ///< mean of the bytes, rounded to nearest
+};
+
+struct Scene {
+  Camera camera;
+  Vec3f ambientLight = {0, 0, 0};  ///< I_a; not used by Reflection::kAsVtk and kNone
+  Span<const Light> lights;
+  Span<const Instance> instances;
+  int samples = 1;  ///< per pixel: 1, 2, 4 or 8, at Direct3D's standard positions
+  Resolve resolve = Resolve::kGamma22;
+};
+
+}  // namespace limn

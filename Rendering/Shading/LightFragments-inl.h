@@ -1,0 +1,455 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The light equations of Reference/ReferenceShading.cpp, one fragment a lane, operation by
+// operation. Compiled once per instruction set by LightFragments.cpp.
+#include "Rendering/Base/Simd.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using D = hn::ScalableTag<float>;
+using V = hn::Vec<D>;
+using M = hn::Mask<D>;
+
+struct Lanes3 {
+  V x, y, z;
+};
+
+HWY_INLINE V set(float value)
+{
+  return hn::Set(D(), value);
+}
+HWY_INLINE Lanes3 set(Vec3f v)
+{
+  return {set(v.x), set(v.y), set(v.z)};
+}
+HWY_INLINE Lanes3 load(const FragmentBatch::Vectors& v, std::size_t i)
+{
+  return {hn::Load(D(), v.x + i), hn::Load(D(), v.y + i), hn::Load(D(), v.z + i)};
+}
+HWY_INLINE void store(Lanes3 v, FragmentBatch::Vectors& to, std::size_t i)
+{
+  hn::Store(v.x, D(), to.x + i);
+  hn::Store(v.y, D(), to.y + i);
+  hn::Store(v.z, D(), to.z + i);
+}
+
+HWY_INLINE Lanes3 add(Lanes3 a, Lanes3 b)
+{
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
+}
+HWY_INLINE Lanes3 sub(Lanes3 a, Lanes3 b)
+{
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
+}
+HWY_INLINE Lanes3 mul(Lanes3 a, Lanes3 b)
+{
+  return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
+}
+HWY_INLINE Lanes3 mul(Lanes3 a, V s)
+{
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+HWY_INLINE Lanes3 neg(Lanes3 a)
+{
+  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
+}
+HWY_INLINE Lanes3 choose(M mask, Lanes3 yes, Lanes3 no)
+{
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z)};
+}
+HWY_INLINE V dot(Lanes3 a, Lanes3 b)
+{
+  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
+}
+HWY_INLINE Lanes3 cross(Lanes3 a, Lanes3 b)
+{
+  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
+          hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
+          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
+}
+HWY_INLINE M isPositive(V x)
+{
+  return hn::Gt(x, hn::Zero(D()));
+}
+HWY_INLINE V positive(V x)
+{
+  return hn::IfThenElseZero(isPositive(x), x);
+}
+HWY_INLINE V reciprocalIfPositive(V x, V denominator)
+{
+  return hn::IfThenElseZero(isPositive(x), hn::Div(set(1.0f), denominator));
+}
+HWY_INLINE Lanes3 normalized(Lanes3 a)
+{
+  const V squared = dot(a, a);
+  return mul(a, reciprocalIfPositive(squared, hn::Sqrt(squared)));
+}
+
+HWY_INLINE V log2Normal(V x)
+{
+  using namespace power_detail;
+  const hn::RebindToSigned<D> di;
+  const auto bits = hn::BitCast(di, x);
+  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, kSqrtHalfBits)));
+  const V mantissa = hn::BitCast(D(), hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
+  const V f = hn::Sub(mantissa, set(1.0f));
+  const V s = hn::Div(f, hn::Add(f, set(2.0f)));
+  const V s2 = hn::Mul(s, s);
+  V series = set(kLog2Series[4]);
+  for (int k = 3; k >= 0; --k)
+    series = hn::Add(set(kLog2Series[k]), hn::Mul(s2, series));
+  return hn::Add(hn::ConvertTo(D(), exponent), hn::Mul(s, series));
+}
+
+HWY_INLINE V exp2Clamped(V y)
+{
+  using namespace power_detail;
+  const hn::RebindToSigned<D> di;
+  const M inRange = hn::Ge(y, set(-126.0f));
+  const V bounded =
+      hn::IfThenElse(hn::Lt(y, set(127.0f)), hn::IfThenElseZero(inRange, y), set(127.0f));
+  const auto whole = hn::NearestInt(bounded);
+  const V f = hn::Sub(bounded, hn::ConvertTo(D(), whole));
+  V series = set(kExp2Series[6]);
+  for (int k = 5; k >= 0; --k)
+    series = hn::Add(set(kExp2Series[k]), hn::Mul(f, series));
+  const V scale = hn::BitCast(D(), hn::ShiftLeft<23>(hn::Add(whole, hn::Set(di, 127))));
+  const V result = hn::Mul(hn::Add(set(1.0f), hn::Mul(f, series)), scale);
+  return hn::IfThenElseZero(inRange, result);
+}
+
+/// power() of Base/Power.h.
+HWY_INLINE V powerOf(V x, float p)
+{
+  if (p == 0.0f) return set(1.0f);
+  const M normal = hn::Ge(x, set(power_detail::kSmallestNormal));
+  const V safe = hn::IfThenElse(normal, x, set(1.0f));
+  return hn::IfThenElseZero(normal, exp2Clamped(hn::Mul(set(p), log2Normal(safe))));
+}
+
+struct Surface {
+  Lanes3 position, normal;
+  Lanes3 ambient, diffuse, specular;
+  float power;
+};
+
+struct Arrival {
+  Lanes3 toward;
+  V fall;
+};
+
+HWY_INLINE Arrival arrive(const ViewLight& light, Lanes3 position)
+{
+  if (!light.positional()) return {set(light.towardLight), set(1.0f)};
+  const Lanes3 way = sub(set(light.position), position);
+  const V squared = dot(way, way);
+  const V distance = hn::Sqrt(squared);
+  const Lanes3 toward = mul(way, reciprocalIfPositive(distance, distance));
+  const V denominator =
+      hn::Add(hn::Add(set(light.attenuation.x), hn::Mul(set(light.attenuation.y), distance)),
+              hn::Mul(set(light.attenuation.z), squared));
+  V fall = reciprocalIfPositive(denominator, denominator);
+  if (light.kind == LightKind::kSpot) {
+    const V cosine = dot(toward, set(light.towardLight));
+    fall = hn::IfThenElseZero(hn::Ge(cosine, set(light.coneCosine)),
+                              hn::Mul(fall, powerOf(cosine, light.exponent)));
+  }
+  return {toward, fall};
+}
+
+HWY_INLINE V blinnPhong(Lanes3 l, Lanes3 v, const Surface& s)
+{
+  return powerOf(positive(dot(s.normal, normalized(add(l, v)))), s.power);
+}
+HWY_INLINE V reflectedRay(Lanes3 l, Lanes3 v, const Surface& s)
+{
+  const V twice = hn::Mul(set(2.0f), dot(s.normal, l));
+  const Lanes3 r = sub(mul(s.normal, twice), l);
+  return powerOf(positive(dot(r, v)), s.power);
+}
+
+/// All the context of a batch that does not change from lane to lane.
+class Lighting {
+ public:
+  explicit Lighting(const ShadingContext& context)
+      : camera_(context.scene->scene->camera),
+        lights_(context.scene->lights),
+        ambientLight_(context.scene->scene->ambientLight),
+        style_(context.placed->instance->style)
+  {
+  }
+
+  HWY_INLINE Lanes3 towardEye(Lanes3 position) const
+  {
+    return camera_.parallel ? set(Vec3f{0, 0, 1}) : normalized(neg(position));
+  }
+
+  Lanes3 light(const Surface& s) const
+  {
+    if (style_.tone != Tone::kNone) return toned(s);
+    if (style_.reflection == Reflection::kNone) return add(s.ambient, s.diffuse);
+    if (style_.reflection != Reflection::kAsVtk) return chapter(s);
+    if (lights_.size() == 1 && lights_[0].kind == LightKind::kHeadlight) return loneHeadlight(s);
+    return asVtk(s);
+  }
+
+ private:
+  Lanes3 loneHeadlight(const Surface& s) const
+  {
+    const V df = positive(s.normal.z);
+    const Lanes3 color = set(lights_[0].color);
+    return add(add(s.ambient, mul(s.diffuse, mul(color, df))),
+               mul(s.specular, mul(color, powerOf(df, s.power))));
+  }
+
+  /// Sums of what all lights send towards the eye, by way of matt and of glossy reflection.
+  template <class Highlight>
+  HWY_INLINE void sum(const Surface& s, Highlight highlight, Lanes3& diffuse,
+                      Lanes3& specular) const
+  {
+    diffuse = specular = set(Vec3f{0, 0, 0});
+    for (const ViewLight& light : lights_) {
+      const Arrival at = arrive(light, s.position);
+      const V nl = dot(s.normal, at.toward);
+      const M lit = isPositive(nl);
+      const Lanes3 color = set(light.color);
+      diffuse = choose(lit, add(diffuse, mul(color, hn::Mul(at.fall, nl))), diffuse);
+      specular =
+          choose(lit, add(specular, mul(color, hn::Mul(at.fall, highlight(at.toward)))), specular);
+    }
+  }
+
+  Lanes3 asVtk(const Surface& s) const
+  {
+    const Lanes3 v = normalized(neg(s.position));
+    Lanes3 diffuse, specular;
+    sum(
+        s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); }, diffuse, specular);
+    return add(add(s.ambient, mul(diffuse, s.diffuse)), mul(specular, s.specular));
+  }
+
+  Lanes3 chapter(const Surface& s) const
+  {
+    const Lanes3 v = towardEye(s.position);
+    Lanes3 diffuse, specular;
+    switch (style_.reflection) {
+      case Reflection::kBlinnPhong:
+        sum(
+            s, [&](Lanes3 l) HWY_ATTR { return blinnPhong(l, v, s); }, diffuse, specular);
+        break;
+      case Reflection::kPhong:
+        sum(
+            s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); }, diffuse, specular);
+        break;
+      default:
+        sum(
+            s, [&](Lanes3) HWY_ATTR { return set(0.0f); }, diffuse, specular);
+        specular = set(Vec3f{0, 0, 0});
+        break;
+    }
+    return add(add(mul(s.ambient, set(ambientLight_)), mul(diffuse, s.diffuse)),
+               mul(specular, s.specular));
+  }
+
+  Lanes3 toned(const Surface& s) const
+  {
+    const Lanes3 l = lights_.empty() ? set(Vec3f{0, 0, 1}) : arrive(lights_[0], s.position).toward;
+    const V nl = dot(l, s.normal);
+    const V facing = hn::Mul(hn::Add(set(1.0f), nl), set(0.5f));
+    const V averted = hn::Mul(hn::Sub(set(1.0f), nl), set(0.5f));
+    const Lanes3 cool = add(set(style_.toneCool), mul(s.diffuse, set(style_.coolSurface)));
+    const Lanes3 warm = add(set(style_.toneWarm), mul(s.diffuse, set(style_.warmSurface)));
+    const Lanes3 tone = style_.tone == Tone::kGoochChapter
+                            ? add(mul(cool, facing), mul(warm, averted))
+                            : add(mul(warm, facing), mul(cool, averted));
+    const Lanes3 v = towardEye(s.position);
+    return add(tone, mul(s.specular, hn::IfThenElseZero(isPositive(nl), blinnPhong(l, v, s))));
+  }
+
+  const Camera& camera_;
+  const std::vector<ViewLight>& lights_;
+  Vec3f ambientLight_;
+  const Style& style_;
+};
+
+/// The fragments of a batch from lane i on.
+class FragmentLanes {
+ public:
+  FragmentLanes(const ShadingContext& context, const FragmentBatch& batch, std::size_t i)
+      : instance_(*context.placed->instance),
+        transform_(context.placed->transform),
+        batch_(batch),
+        i_(i),
+        side_(hn::Load(D(), batch.side + i))
+  {
+    for (int k = 0; k < 3; ++k)
+      weight_[k] = batch.weight[k] + i;
+  }
+
+  HWY_INLINE Lanes3 mix(Lanes3 a, Lanes3 b, Lanes3 c) const
+  {
+    return add(add(mul(a, weight(0)), mul(b, weight(1))), mul(c, weight(2)));
+  }
+  HWY_INLINE Lanes3 corner(int k) const { return load(batch_.corner[k], i_); }
+  HWY_INLINE Lanes3 position(Lanes3 p) const
+  {
+    const auto row = [&](int r) HWY_ATTR {
+      const float* m = transform_.toView.m[r];
+      return hn::Add(hn::Add(hn::Mul(set(m[0]), p.x), hn::Mul(set(m[1]), p.y)),
+                     hn::Add(hn::Mul(set(m[2]), p.z), set(m[3])));
+    };
+    return {row(0), row(1), row(2)};
+  }
+  HWY_INLINE Lanes3 facing(Lanes3 normal) const
+  {
+    const auto row = [&](int r) HWY_ATTR {
+      const float* m = transform_.normalToView.m[r];
+      return hn::Add(hn::Add(hn::Mul(set(m[0]), normal.x), hn::Mul(set(m[1]), normal.y)),
+                     hn::Mul(set(m[2]), normal.z));
+    };
+    return mul(normalized({row(0), row(1), row(2)}), side_);
+  }
+  Lanes3 pixelPosition() const { return position(mix(corner(0), corner(1), corner(2))); }
+  Lanes3 pixelNormal() const
+  {
+    switch (instance_.style.normals) {
+      case NormalSource::kVertex:
+        return facing(mix(normal(0), normal(1), normal(2)));
+      case NormalSource::kCell:
+        return facing(normal(0));
+      default:
+        return facing(cross(sub(corner(1), corner(0)), sub(corner(2), corner(0))));
+    }
+  }
+  Lanes3 cornerNormal(int k) const
+  {
+    return instance_.style.normals == NormalSource::kVertex ? facing(normal(k)) : pixelNormal();
+  }
+  Lanes3 facePosition() const { return position(load(batch_.faceCentroid, i_)); }
+  Lanes3 faceNormal() const { return facing(load(batch_.faceNormal, i_)); }
+
+  Lanes3 pixelColor() const
+  {
+    return vertexColored() ? mix(color(0), color(1), color(2)) : color(0);
+  }
+  Lanes3 cornerColor(int k) const { return color(vertexColored() ? k : 0); }
+  bool colored() const { return vertexColored() || !instance_.attributes.cellColors.empty(); }
+
+  Surface surface(Lanes3 position, Lanes3 normal, const Lanes3* data) const
+  {
+    const Material& m = instance_.material;
+    const auto reflectance = [&](Vec3f own) HWY_ATTR {
+      const V full = set(255.0f);
+      return data == nullptr
+                 ? set(own)
+                 : Lanes3{hn::Div(data->x, full), hn::Div(data->y, full), hn::Div(data->z, full)};
+    };
+    return {position,
+            normal,
+            mul(reflectance(m.ambientColor), set(m.ambient)),
+            mul(reflectance(m.diffuseColor), set(m.diffuse)),
+            mul(set(m.specularColor), set(m.specular)),
+            m.specularPower};
+  }
+
+ private:
+  V weight(int k) const { return hn::Load(D(), weight_[k]); }
+  bool vertexColored() const { return !instance_.attributes.vertexColors.empty(); }
+  Lanes3 normal(int k) const { return load(batch_.cornerNormal[k], i_); }
+  Lanes3 color(int k) const { return load(batch_.cornerColor[k], i_); }
+
+  const Instance& instance_;
+  const InstanceTransform& transform_;
+  const FragmentBatch& batch_;
+  std::size_t i_;
+  V side_;
+  const float* weight_[3];
+};
+
+Lanes3 shadeLanes(const Lighting& lighting, const FragmentLanes& lanes, ShadingFrequency frequency)
+{
+  const auto light = [&](Lanes3 position, Lanes3 normal, Lanes3 color) HWY_ATTR {
+    return lighting.light(lanes.surface(position, normal, lanes.colored() ? &color : nullptr));
+  };
+  const Lanes3 none = set(Vec3f{0, 0, 0});
+  if (frequency == ShadingFrequency::kGouraud) {
+    const auto atCorner = [&](int k) HWY_ATTR {
+      return light(lanes.position(lanes.corner(k)), lanes.cornerNormal(k),
+                   lanes.colored() ? lanes.cornerColor(k) : none);
+    };
+    return lanes.mix(atCorner(0), atCorner(1), atCorner(2));
+  }
+  const Lanes3 color = lanes.colored() ? lanes.pixelColor() : none;
+  return frequency == ShadingFrequency::kFlat
+             ? light(lanes.facePosition(), lanes.faceNormal(), color)
+             : light(lanes.pixelPosition(), lanes.pixelNormal(), color);
+}
+
+/// Pixels with |n.v| below the threshold, figure 12.15.
+M onOutline(const Lighting& lighting, const FragmentLanes& lanes, const Style& style)
+{
+  const Lanes3 n =
+      style.frequency == ShadingFrequency::kFlat ? lanes.faceNormal() : lanes.pixelNormal();
+  const Lanes3 v = lighting.towardEye(lanes.pixelPosition());
+  return hn::Lt(hn::Abs(dot(n, v)), set(style.outlineThreshold));
+}
+
+void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
+{
+  const Lighting lighting(context);
+  const Style& style = context.placed->instance->style;
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
+    const FragmentLanes lanes(context, batch, i);
+    Lanes3 color = shadeLanes(lighting, lanes, style.frequency);
+    if (style.outlineThreshold > 0.0f)
+      color = choose(onOutline(lighting, lanes, style), set(style.outlineColor), color);
+    store(color, batch.color, i);
+  }
+}
+
+void weighFragmentsKernel(FragmentBatch& batch)
+{
+  const D d;
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const V s0 = hn::Load(d, batch.share[0] + i), s1 = hn::Load(d, batch.share[1] + i),
+            s2 = hn::Load(d, batch.share[2] + i);
+    const V inverse = hn::Div(set(1.0f), hn::Add(hn::Add(s0, s1), s2));
+    hn::Store(hn::Mul(s0, inverse), d, batch.weight[0] + i);
+    hn::Store(hn::Mul(s1, inverse), d, batch.weight[1] + i);
+    hn::Store(hn::Mul(s2, inverse), d, batch.weight[2] + i);
+  }
+}
+
+void quantizeFragmentsKernel(const FragmentBatch& batch, Rgba8* colors)
+{
+  const D d;
+  const hn::RebindToSigned<D> di;
+  const auto toByte = [&](const float* x, std::size_t i) HWY_ATTR {
+    const V value = hn::Load(d, x + i);
+    const V bounded = hn::IfThenElse(hn::Lt(value, set(1.0f)), positive(value), set(1.0f));
+    // A value that is not a number fails both comparisons; the scalar code makes it 0.
+    const V proper = hn::IfThenElseZero(isPositive(value), bounded);
+    return hn::NearestInt(hn::Mul(proper, set(255.0f)));
+  };
+  const auto count = static_cast<std::size_t>(batch.count);
+  alignas(64) std::int32_t r[FragmentBatch::kCapacity], g[FragmentBatch::kCapacity],
+      b[FragmentBatch::kCapacity];
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    hn::Store(toByte(batch.color.x, i), di, r + i);
+    hn::Store(toByte(batch.color.y, i), di, g + i);
+    hn::Store(toByte(batch.color.z, i), di, b + i);
+  }
+  for (std::size_t i = 0; i < count; ++i)
+    colors[i] = {static_cast<std::uint8_t>(r[i]), static_cast<std::uint8_t>(g[i]),
+                 static_cast<std::uint8_t>(b[i]), 255};
+}
+
+}  // namespace limn::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Vertex/PlacedScene.h"
+
+#include <algorithm>
+
+namespace limn {
+
+std::uint32_t PlacedScene::instanceOf(std::uint32_t cluster) const
+{
+  const auto next = std::upper_bound(
+      instances.begin(), instances.end(), cluster,
+      [](std::uint32_t c, const PlacedInstance& placed) { return c < placed.firstCluster; });
+  return static_cast<std::uint32_t>(next - instances.begin() - 1);
+}
+
+PlacedScene placeScene(const Scene& scene, int width, int height)
+{
+  PlacedScene placed = {&scene, width, height, {}, {}, 0};
+  for (const Light& light : scene.lights)
+    placed.lights.push_back(makeViewLight(light, scene.camera));
+  placed.instances.reserve(scene.instances.size());
+  for (const Instance& instance : scene.instances) {
+    const ClusteredMesh& mesh = *instance.clusters;
+    const LocalFrame frame = {mesh.origin, mesh.low, mesh.high, mesh.hasLowParts()};
+    placed.instances.push_back(
+        {&instance,
+         makeInstanceTransform(scene.camera, instance.modelToWorld, frame, width, height),
+         placed.clusterCount});
+    placed.clusterCount += static_cast<std::uint32_t>(mesh.clusters.size());
+  }
+  return placed;
+}
+
+}  // namespace limn

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Scene.h"
+#include "Rendering/Vertex/ViewSpace.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace limn {
+
+/// An instance with its way to the screen. Clusters are numbered through all instances of a frame.
+struct PlacedInstance {
+  const Instance* instance;
+  InstanceTransform transform;
+  std::uint32_t firstCluster;
+
+  const ClusteredMesh& mesh() const { return *instance->clusters; }
+};
+
+/// A scene made ready for one viewport.
+struct PlacedScene {
+  const Scene* scene;
+  int width, height;
+  std::vector<PlacedInstance> instances;  ///< in draw order
+  std::vector<ViewLight> lights;
+  std::uint32_t clusterCount;
+
+  /// The instance to which a cluster of the frame belongs.
+  std::uint32_t instanceOf(std::uint32_t cluster) const;
+};
+
+/// Requires: a scene that checkScene() accepted.
+PlacedScene placeScene(const Scene& scene, int width, int height);
+
+}  // namespace limn

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The pipeline draws what the reference renderer draws, bit for bit, on every instruction set and
+// with any number of threads.
+#include "Rendering/Renderer.h"
+#include "Testing/Agreement/RandomScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace limn {
+namespace {
+
+using testing::Picture;
+using testing::RandomScene;
+
+constexpr std::uint32_t kScenes = 400;
+
+Picture drawn(const RandomScene& random, const RenderOptions& options)
+{
+  Picture picture = random.canvas();
+  const Status status = render(random.scene(), picture.frame(random.background()), options);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return picture;
+}
+
+class EveryTarget : public ::testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override { ASSERT_TRUE(useTarget(GetParam())); }
+  void TearDown() override { useTarget(""); }
+};
+
+TEST_P(EveryTarget, DrawsLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t coveredPixels = 0;
+  for (std::uint32_t seed = 0; seed < kScenes; ++seed) {
+    const RandomScene random(seed);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    const Picture actual = drawn(random, {Backend::kPipeline, kThreads[seed % 4]});
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    for (const std::uint8_t coverage : expected.coverage)
+      coveredPixels += coverage != 0;
+  }
+  EXPECT_GT(coveredPixels, 1000000u) << "the scenes must show something";
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, EveryTarget, ::testing::ValuesIn(availableTargets()),
+                         [](const auto& target) { return target.param; });
+
+TEST(Threads, AnyNumberDrawsTheSamePicture)
+{
+  for (std::uint32_t seed = 1000; seed < 1040; ++seed) {
+    const RandomScene random(seed);
+    const Picture one = drawn(random, {Backend::kPipeline, 1});
+    for (const int threads : {2, 3, 8})
+      ASSERT_EQ(drawn(random, {Backend::kPipeline, threads}).differingPixels(one), 0u)
+          << "seed " << seed << ", " << threads << " threads";
+  }
+}
+
+}  // namespace
+}  // namespace limn

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Testing/Agreement/RandomScene.h"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+namespace limn::testing {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+Mat4d lookAt(Vec3d eye, Vec3d target)
+{
+  const Vec3d back = normalized(eye - target);
+  const Vec3d up = std::fabs(back.y) < 0.9 ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+  const Vec3d right = normalized(cross(up, back));
+  const Vec3d above = cross(back, right);
+  return {{{right.x, right.y, right.z, -dot(right, eye)},
+           {above.x, above.y, above.z, -dot(above, eye)},
+           {back.x, back.y, back.z, -dot(back, eye)},
+           {0, 0, 0, 1}}};
+}
+
+Mat4d perspective(double tangent, double aspect, double near, double far)
+{
+  return {{{1 / (tangent * aspect), 0, 0, 0},
+           {0, 1 / tangent, 0, 0},
+           {0, 0, -(far + near) / (far - near), -2 * far * near / (far - near)},
+           {0, 0, -1, 0}}};
+}
+
+Mat4d parallel(double halfHeight, double aspect, double near, double far)
+{
+  return {{{1 / (halfHeight * aspect), 0, 0, 0},
+           {0, 1 / halfHeight, 0, 0},
+           {0, 0, -2 / (far - near), -(far + near) / (far - near)},
+           {0, 0, 0, 1}}};
+}
+
+enum class Shape { kSoup, kSlivers, kGrid, kCoincident, kHuge, kTiny, kShapes };
+
+void addTriangle(OwnedMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c)
+{
+  mesh.triangles.push_back({{a, b, c}});
+}
+
+std::vector<Vec3d> makeShape(Random& random, Shape shape, OwnedMesh& mesh)
+{
+  std::vector<Vec3d> points;
+  if (shape == Shape::kGrid) {
+    const std::uint32_t side = 3 + random.below(14);
+    for (std::uint32_t j = 0; j < side; ++j)
+      for (std::uint32_t i = 0; i < side; ++i)
+        points.push_back(
+            {2.0 * i / (side - 1) - 1, 2.0 * j / (side - 1) - 1, random.between(-0.2, 0.2)});
+    for (std::uint32_t j = 0; j + 1 < side; ++j)
+      for (std::uint32_t i = 0; i + 1 < side; ++i) {
+        const std::uint32_t p = j * side + i;
+        addTriangle(mesh, p, p + 1, p + side + 1);
+        addTriangle(mesh, p, p + side + 1, p + side);
+      }
+    return points;
+  }
+  const double size = shape == Shape::kHuge ? 60 : shape == Shape::kTiny ? 0.02 : 0.8;
+  const std::uint32_t count = 20 + random.below(200);
+  for (std::uint32_t t = 0; t < count; ++t) {
+    const auto first = static_cast<std::uint32_t>(points.size());
+    const Vec3d centre = random.inBox(1);
+    const Vec3d a = centre + random.inBox(size), b = centre + random.inBox(size);
+    const Vec3d aside = random.inBox(1e-3);
+    const Vec3d c = shape == Shape::kSlivers ? a + (b - a) * random.between(0, 1) + aside
+                                             : centre + random.inBox(size);
+    points.insert(points.end(), {a, b, c});
+    addTriangle(mesh, first, first + 1, first + 2);
+    // The same face again, as it is, turned, or over other corners.
+    if (shape == Shape::kCoincident) {
+      addTriangle(mesh, first + random.below(3), first + 1, first + 2);
+      addTriangle(mesh, first + 2, first + 1, first);
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Picture::Picture(int w, int h) : width(w), height(h)
+{
+  const auto pixels = static_cast<std::size_t>(w) * static_cast<std::size_t>(h);
+  color.resize(pixels);
+  depth.resize(pixels, 1.0f);
+  coverage.resize(pixels, 0);
+  instance.resize(pixels, kNobody);
+  cell.resize(pixels, kNobody);
+}
+
+FrameView Picture::frame(Background background)
+{
+  return {width,           height,          width,       color.data(), depth.data(),
+          coverage.data(), instance.data(), cell.data(), background};
+}
+
+std::size_t Picture::differingPixels(const Picture& other) const
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < color.size(); ++i)
+    if (std::memcmp(&color[i], &other.color[i], sizeof color[i]) != 0 ||
+        std::memcmp(&depth[i], &other.depth[i], sizeof depth[i]) != 0 ||
+        coverage[i] != other.coverage[i] || instance[i] != other.instance[i] ||
+        cell[i] != other.cell[i])
+      ++count;
+  return count;
+}
+
+RandomScene::RandomScene(std::uint32_t seed) : seed_(seed)
+{
+  Random random(seed);
+  width_ = 1 + static_cast<int>(random.below(150));
+  height_ = 1 + static_cast<int>(random.below(150));
+  centre_ = random.chance(4) ? random.inBox(1e7) : Vec3d{0, 0, 0};
+  const std::uint32_t meshes = 1 + random.below(3);
+  for (std::uint32_t i = 0; i < meshes; ++i)
+    addMesh(random);
+  for (std::uint32_t i = 0; i < meshes; ++i)
+    instances_.push_back(instanceOf(random, *meshes_[i], 7 + i));
+  if (random.chance(3)) instances_.push_back(instanceOf(random, *meshes_[0], 42));
+  const std::uint32_t lights = random.below(4);
+  for (std::uint32_t i = 0; i < lights; ++i)
+    lights_.push_back(randomLight(random));
+  // VTK's default, which has a path of its own.
+  if (random.chance(4)) lights_ = {Light{}};
+  placeCamera(random);
+  scene_.ambientLight = random.color();
+  scene_.lights = lights_;
+  scene_.instances = instances_;
+  scene_.samples = 1 << random.below(4);
+  scene_.resolve = random.chance(4) ? Resolve::kLinear : Resolve::kGamma22;
+  background_ = random.chance(2) ? Background::kBlend : Background::kKeepApart;
+}
+
+Picture RandomScene::canvas() const
+{
+  Picture picture(width_, height_);
+  Random random(seed_ ^ 0xC0FFEEu);
+  const bool oldDepths = random.chance(3);
+  for (std::size_t i = 0; i < picture.color.size(); ++i) {
+    picture.color[i] = {static_cast<std::uint8_t>(i * 7), static_cast<std::uint8_t>(i / 3), 40, 0};
+    if (oldDepths && i % 5 == 0) picture.depth[i] = static_cast<float>(random.between(0, 1));
+  }
+  return picture;
+}
+
+void RandomScene::addMesh(Random& random)
+{
+  auto mesh = std::make_unique<OwnedMesh>();
+  const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
+  std::vector<Vec3d> points = makeShape(random, shape, *mesh);
+  if (random.chance(6)) {
+    points[random.below(static_cast<std::uint32_t>(points.size()))].y = kInfinity;
+    points[random.below(static_cast<std::uint32_t>(points.size()))].z = std::nan("");
+    mesh->triangles[0].vertex[1] = static_cast<std::uint32_t>(points.size()) + 5;
+  }
+  for (Vec3d& p : points)
+    p = p + centre_;
+  // Floats at 1e7 are whole numbers: such scenes come in double.
+  if (centre_ == Vec3d{0, 0, 0} && !random.chance(4)) {
+    for (const Vec3d& p : points)
+      mesh->positions.push_back(vec3Cast<float>(p));
+  } else {
+    mesh->precise = points;
+  }
+  addAttributes(random, *mesh);
+  const Status status = buildClusters(mesh->view(), 0, mesh->clusters);
+  if (!status.ok()) std::abort();
+  meshes_.push_back(std::move(mesh));
+}
+
+void RandomScene::addAttributes(Random& random, OwnedMesh& mesh)
+{
+  const std::size_t vertices = mesh.view().vertexCount();
+  const auto byte = [&] { return static_cast<std::uint8_t>(random.below(256)); };
+  for (std::size_t v = 0; v < vertices; ++v)
+    mesh.vertexNormals.push_back(vec3Cast<float>(random.inBox(1)));
+  mesh.cellCount = mesh.triangles.size();
+  if (random.chance(3)) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      mesh.cells.push_back(static_cast<std::uint32_t>(t / 2));
+    mesh.cellCount = mesh.triangles.size() / 2 + 1;
+  }
+  for (std::size_t c = 0; c < mesh.cellCount; ++c)
+    mesh.cellNormals.push_back(vec3Cast<float>(random.inBox(1)));
+  if (random.chance(3))
+    for (std::size_t v = 0; v < vertices; ++v)
+      mesh.vertexColors.push_back({byte(), byte(), byte(), 255});
+  if (random.chance(3))
+    for (std::size_t c = 0; c < mesh.cellCount; ++c)
+      mesh.cellColors.push_back({byte(), byte(), byte(), 255});
+  mesh.faces = faceGeometry(mesh.view(), mesh.cells, mesh.cellCount);
+}
+
+Instance RandomScene::instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id)
+{
+  Instance instance;
+  instance.clusters = &mesh.clusters;
+  instance.mesh = mesh.view();
+  instance.attributes = {mesh.vertexNormals,  mesh.cellNormals,  mesh.vertexColors, mesh.cellColors,
+                         mesh.faces.centroid, mesh.faces.normal, mesh.cells,        mesh.cellCount};
+  if (centre_ == Vec3d{0, 0, 0} && random.chance(2)) {
+    const Vec3d move = random.inBox(0.5);
+    instance.modelToWorld = {{{random.between(-1.5, 1.5), 0.2, 0, move.x},
+                              {-0.3, random.between(0.5, 1.5), 0.1, move.y},
+                              {0, 0.4, random.between(0.5, 1.5), move.z},
+                              {0, 0, 0, 1}}};
+  }
+  instance.material = {random.color(),
+                       random.color(),
+                       random.color(),
+                       static_cast<float>(random.between(0, 0.5)),
+                       static_cast<float>(random.between(0, 1)),
+                       static_cast<float>(random.between(0, 1)),
+                       static_cast<float>(random.chance(5) ? 0 : random.between(0, 120))};
+  instance.style = randomStyle(random, mesh);
+  instance.cullBackFaces = random.chance(5);
+  instance.cullFrontFaces = random.chance(8);
+  instance.id = id;
+  return instance;
+}
+
+Style RandomScene::randomStyle(Random& random, const OwnedMesh&)
+{
+  Style style;
+  style.frequency = static_cast<ShadingFrequency>(random.below(3));
+  style.normals = static_cast<NormalSource>(random.below(3));
+  style.reflection = static_cast<Reflection>(random.below(5));
+  if (random.chance(3)) style.tone = static_cast<Tone>(1 + random.below(2));
+  style.toneCool = random.color();
+  style.toneWarm = random.color();
+  if (random.chance(4)) style.outlineThreshold = static_cast<float>(random.between(0, 0.4));
+  style.outlineColor = random.color();
+  return style;
+}
+
+Light RandomScene::randomLight(Random& random)
+{
+  Light light;
+  light.kind = static_cast<LightKind>(random.below(4));
+  light.position = centre_ + random.inBox(4);
+  light.direction = random.inBox(1);
+  light.color = random.color() * 2.0f;
+  if (random.chance(2)) light.attenuation = random.color() + Vec3f{0.1f, 0, 0};
+  light.coneDegrees = static_cast<float>(random.between(0, 90));
+  light.exponent = static_cast<float>(random.between(0, 8));
+  return light;
+}
+
+void RandomScene::placeCamera(Random& random)
+{
+  // Near and inside the meshes as often as well before them.
+  const double distance = random.chance(2) ? random.between(0.05, 1) : random.between(2, 6);
+  const Vec3d eye = centre_ + normalized(random.inBox(1) + Vec3d{0.01, 0, 0}) * distance;
+  const double aspect = static_cast<double>(width_) / height_;
+  const double near = random.chance(3) ? 1e-3 : 0.1, far = random.between(2, 12);
+  scene_.camera.worldToView = lookAt(eye, centre_ + random.inBox(0.3));
+  scene_.camera.parallel = random.chance(3);
+  scene_.camera.viewToClip = scene_.camera.parallel
+                                 ? parallel(random.between(0.01, 2), aspect, near, far)
+                                 : perspective(random.between(0.1, 1.2), aspect, near, far);
+}
+
+}  // namespace limn::testing

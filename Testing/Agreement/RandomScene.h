@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Mesh/BuildClusters.h"
+#include "Rendering/Mesh/FaceGeometry.h"
+#include "Rendering/Renderer.h"
+
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <vector>
+
+namespace limn::testing {
+
+/// Uniform numbers that are the same on every platform; std's distributions are not.
+class Random {
+ public:
+  explicit Random(std::uint32_t seed) : engine_(seed) {}
+
+  std::uint32_t below(std::uint32_t end) { return next() % end; }
+  bool chance(int oneIn) { return below(static_cast<std::uint32_t>(oneIn)) == 0; }
+  double between(double low, double high) { return low + (high - low) * (next() / 4294967296.0); }
+  Vec3d inBox(double half)
+  {
+    const double x = between(-half, half), y = between(-half, half);
+    return {x, y, between(-half, half)};
+  }
+  Vec3f color() { return vec3Cast<float>(inBox(0.5) + Vec3d{0.5, 0.5, 0.5}); }
+
+ private:
+  std::uint32_t next() { return static_cast<std::uint32_t>(engine_()); }
+
+  std::mt19937 engine_;
+};
+
+/// A mesh with all that can be attached to one. Owns what an Instance borrows.
+struct OwnedMesh {
+  std::vector<Vec3f> positions;
+  std::vector<Vec3d> precise;
+  std::vector<Triangle> triangles;
+  std::vector<Vec3f> vertexNormals, cellNormals;
+  std::vector<Rgba8> vertexColors, cellColors;
+  std::vector<std::uint32_t> cells;
+  std::size_t cellCount = 0;
+  FaceGeometry faces;
+  ClusteredMesh clusters;
+
+  MeshView view() const { return {positions, precise, triangles}; }
+};
+
+/// Planes of one picture.
+struct Picture {
+  int width, height;
+  std::vector<Rgba8> color;
+  std::vector<float> depth;
+  std::vector<std::uint8_t> coverage;
+  std::vector<std::uint32_t> instance, cell;
+
+  Picture(int width, int height);
+  FrameView frame(Background background);
+  /// Pixels in which any plane differs, by bits.
+  std::size_t differingPixels(const Picture& other) const;
+};
+
+/// A scene made from a number: every feature of Scene.h turns up, and so do the inputs that break
+/// rasterizers: slivers, degenerate and coincident triangles, vertices behind the eye, huge and
+/// tiny triangles, coordinates far from the origin, broken indices and NaN.
+class RandomScene {
+ public:
+  explicit RandomScene(std::uint32_t seed);
+
+  const Scene& scene() const { return scene_; }
+  Background background() const { return background_; }
+  /// The picture before drawing: a background, and now and then old depths.
+  Picture canvas() const;
+
+ private:
+  void addMesh(Random& random);
+  void addAttributes(Random& random, OwnedMesh& mesh);
+  Instance instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id);
+  Style randomStyle(Random& random, const OwnedMesh& mesh);
+  Light randomLight(Random& random);
+  void placeCamera(Random& random);
+
+  std::uint32_t seed_;
+  int width_, height_;
+  Vec3d centre_;
+  std::vector<std::unique_ptr<OwnedMesh>> meshes_;
+  std::vector<Instance> instances_;
+  std::vector<Light> lights_;
+  Scene scene_;
+  Background background_;
+};
+
+}  // namespace limn::testing

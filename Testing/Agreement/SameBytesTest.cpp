@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// One hash for every compiler, optimisation level, instruction set and processor: a build that
+// draws other bytes than the build before fails here. When a picture is meant to change, the
+// message shows the new hash; say in the commit why it changed.
+#include "Rendering/Renderer.h"
+#include "Testing/Agreement/RandomScene.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+namespace limn {
+namespace {
+
+using testing::Picture;
+using testing::RandomScene;
+
+constexpr std::uint64_t kHashOfScenes = 4481409563840940949u;
+
+/// FNV-1a, 64 bits.
+class Hash {
+ public:
+  template <class T>
+  void add(const std::vector<T>& values)
+  {
+    for (const T& value : values) {
+      unsigned char bytes[sizeof(T)];
+      std::memcpy(bytes, &value, sizeof value);
+      for (const unsigned char byte : bytes)
+        value_ = (value_ ^ byte) * 1099511628211u;
+    }
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 14695981039346656037u;
+};
+
+std::uint64_t hashOfScenes()
+{
+  Hash hash;
+  for (std::uint32_t seed = 5000; seed < 5100; ++seed) {
+    const RandomScene random(seed);
+    Picture picture = random.canvas();
+    const Status status = render(random.scene(), picture.frame(random.background()));
+    EXPECT_TRUE(status.ok()) << status.message;
+    hash.add(picture.color);
+    hash.add(picture.depth);
+    hash.add(picture.coverage);
+    hash.add(picture.instance);
+    hash.add(picture.cell);
+  }
+  return hash.value();
+}
+
+class SameBytes : public ::testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override { ASSERT_TRUE(useTarget(GetParam())); }
+  void TearDown() override { useTarget(""); }
+};
+
+TEST_P(SameBytes, HundredScenesHaveTheKnownHash)
+{
+  EXPECT_EQ(hashOfScenes(), kHashOfScenes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),
+                         [](const auto& target) { return target.param; });
+
+}  // namespace
+}  // namespace limn

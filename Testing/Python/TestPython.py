@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: Copyright (c) the Limn authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What "import limn" does, each time in a process of its own."""
+
+import os
+import subprocess
+import sys
+import unittest
+
+SCENE = """
+import sys
+from vtkmodules.vtkFiltersSources import vtkConeSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter)
+
+cone = vtkConeSource()
+mapper = vtkPolyDataMapper()
+mapper.SetInputConnection(cone.GetOutputPort())
+actor = vtkActor()
+actor.SetMapper(mapper)
+actor.GetProperty().SetColor(1.0, 0.5, 0.0)
+renderer = vtkRenderer()
+renderer.AddActor(actor)
+window = vtkRenderWindow()
+window.SetOffScreenRendering(1)
+window.SetSize(64, 64)
+window.AddRenderer(renderer)
+window.Render()
+image = vtkWindowToImageFilter()
+image.SetInput(window)
+image.Update()
+print([image.GetOutput().GetScalarComponentAsDouble(32, 32, 0, i) > 0 for i in range(3)])
+print(type(mapper).__module__, type(mapper).__name__, window.GetClassName())
+print(any(name in open("/proc/self/maps").read() for name in ("libGL", "libOpenGL", "libX11")))
+"""
+
+
+def run(program, remove=(), **environment):
+    """The lines that a Python program prints."""
+    env = {name: value for name, value in os.environ.items() if name not in remove}
+    env.update(environment)
+    done = subprocess.run(
+        [sys.executable, "-c", program], env=env, capture_output=True, text=True, timeout=120)
+    if done.returncode != 0:
+        raise AssertionError(f"status {done.returncode}\n{done.stdout}{done.stderr}")
+    return done.stdout.splitlines()
+
+
+class ImportTest(unittest.TestCase):
+    def test_before_vtk(self):
+        lit, names, _ = run("import limn\nimport vtkmodules.vtkRenderingOpenGL2\n" + SCENE)
+        self.assertEqual(lit, "[True, True, False]")
+        self.assertEqual(names, "limn.vtkLimn vtkLimnPolyDataMapper vtkXOpenGLRenderWindow")
+
+    def test_after_vtk(self):
+        lit, names, _ = run("import vtkmodules.vtkRenderingOpenGL2\nimport limn\n" + SCENE)
+        self.assertEqual(lit, "[True, True, False]")
+        self.assertEqual(names, "limn.vtkLimn vtkLimnPolyDataMapper vtkXOpenGLRenderWindow")
+
+    def test_without_display(self):
+        lit, names, graphics = run("import limn\n" + SCENE, ["DISPLAY"], LIMN_WINDOW="cpu")
+        self.assertEqual(lit, "[True, True, False]")
+        self.assertEqual(names, "limn.vtkLimn vtkLimnPolyDataMapper vtkLimnRenderWindow")
+        self.assertEqual(graphics, "False")
+
+    def test_disabled(self):
+        program = "import limn\nimport vtkmodules.vtkRenderingOpenGL2\n" + SCENE
+        _, names, _ = run(program, LIMN_DISABLE="1")
+        self.assertIn("vtkOpenGLPolyDataMapper vtkXOpenGLRenderWindow", names)
+
+    def test_names(self):
+        (line,) = run("import limn\nprint(sorted(n for n in dir(limn) if n.startswith('vtkLimn')))")
+        for name in ("Actor", "OpenGLCompositor", "PolyDataMapper", "Property", "RenderWindow"):
+            self.assertIn(f"'vtkLimn{name}'", line)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,161 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Mesh/BuildClusters.h"
+
+#include "Data/Generator/GeneratedMeshes.h"
+#include "Rendering/Mesh/LocalPosition.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limn {
+namespace {
+
+struct Mesh {
+  std::vector<Vec3f> positions;
+  std::vector<Vec3d> precise;
+  std::vector<Triangle> triangles;
+
+  MeshView view() const { return {positions, precise, triangles}; }
+};
+
+Mesh meshOf(const GeneratedMesh& generated)
+{
+  return {generated.positions, {}, generated.triangles()};
+}
+
+ClusteredMesh clustersOf(const Mesh& mesh, int threads = 0)
+{
+  ClusteredMesh clusters;
+  const Status status = buildClusters(mesh.view(), threads, clusters);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return clusters;
+}
+
+/// Checks every promise of ClusteredMesh.h, and returns how often each triangle was found.
+std::vector<int> checkedTriangleCounts(const Mesh& mesh, const ClusteredMesh& clusters)
+{
+  std::vector<int> counts(mesh.triangles.size(), 0);
+  for (const Cluster& cluster : clusters.clusters) {
+    EXPECT_TRUE(cluster.vertexCount >= 1 && cluster.vertexCount <= kMaxClusterVertices);
+    EXPECT_TRUE(cluster.triangleCount >= 1 && cluster.triangleCount <= kMaxClusterTriangles);
+    for (std::size_t v = cluster.firstVertex; v < cluster.firstVertex + cluster.vertexCount; ++v) {
+      const LocalPosition expected =
+          toLocal(mesh.view().position(clusters.vertex[v]), clusters.origin);
+      EXPECT_EQ(clusters.x[v], expected.high.x);
+      EXPECT_EQ(clusters.y[v], expected.high.y);
+      EXPECT_EQ(clusters.z[v], expected.high.z);
+      EXPECT_TRUE(clusters.x[v] >= cluster.low.x && clusters.x[v] <= cluster.high.x);
+      EXPECT_TRUE(clusters.y[v] >= cluster.low.y && clusters.y[v] <= cluster.high.y);
+      EXPECT_TRUE(clusters.z[v] >= cluster.low.z && clusters.z[v] <= cluster.high.z);
+    }
+    for (std::size_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount;
+         ++t) {
+      if (t > cluster.firstTriangle) {
+        EXPECT_LT(clusters.triangle[t - 1], clusters.triangle[t]);
+      }
+      ++counts[clusters.triangle[t]];
+      for (int k = 0; k < 3; ++k)
+        EXPECT_EQ(clusters.vertex[cluster.firstVertex + clusters.corner[k][t]],
+                  mesh.triangles[clusters.triangle[t]].vertex[k]);
+    }
+  }
+  return counts;
+}
+
+void expectEachTriangleOnce(const Mesh& mesh)
+{
+  const ClusteredMesh clusters = clustersOf(mesh);
+  const std::vector<int> counts = checkedTriangleCounts(mesh, clusters);
+  EXPECT_EQ(std::count(counts.begin(), counts.end(), 1),
+            static_cast<std::ptrdiff_t>(mesh.triangles.size()));
+  EXPECT_EQ(clusters.triangleCount, mesh.triangles.size());
+  EXPECT_EQ(clusters.meshVertexCount, mesh.view().vertexCount());
+  EXPECT_EQ(clusters.meshTriangleCount, mesh.triangles.size());
+}
+
+TEST(BuildClusters, HoldEachTriangleOfAClosedMeshOnce)
+{
+  expectEachTriangleOnce(meshOf(torus(200, 150, 1, 0.4)));
+}
+
+TEST(BuildClusters, HoldEachTriangleOfSoupOnce)
+{
+  Mesh soup;
+  for (std::uint32_t i = 0; i < 900; ++i) {
+    const float x = static_cast<float>(i % 31), y = static_cast<float>(i / 31);
+    soup.positions.push_back({x, y, static_cast<float>(i % 3)});
+    if (i % 3 == 2) soup.triangles.push_back({{i - 2, i - 1, i}});
+  }
+  expectEachTriangleOnce(soup);
+}
+
+TEST(BuildClusters, KeepDegenerateTriangles)
+{
+  expectEachTriangleOnce({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {}, {{{0, 1, 2}}, {{1, 1, 1}}}});
+}
+
+TEST(BuildClusters, AreWellFilledOnAGrid)
+{
+  const ClusteredMesh clusters = clustersOf(meshOf(torus(300, 300, 1, 0.4)));
+  const double fill =
+      static_cast<double>(clusters.triangleCount) / static_cast<double>(clusters.clusters.size());
+  EXPECT_GT(fill, 75.0);
+  const double bytes =
+      static_cast<double>(clusters.bytes()) / static_cast<double>(clusters.triangleCount);
+  EXPECT_LT(bytes, 21.0);
+}
+
+TEST(BuildClusters, DoNotDependOnTheThreads)
+{
+  const Mesh mesh = meshOf(torus(400, 300, 1, 0.4));
+  const ClusteredMesh one = clustersOf(mesh, 1);
+  for (const int threads : {2, 3, 8}) {
+    const ClusteredMesh many = clustersOf(mesh, threads);
+    EXPECT_EQ(many.triangle, one.triangle);
+    EXPECT_EQ(many.vertex, one.vertex);
+    EXPECT_EQ(many.x, one.x);
+  }
+}
+
+TEST(BuildClusters, LeaveOutAndCountWhatCannotBeDrawn)
+{
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const Mesh mesh = {{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {kInfinity, 0, 0}, {0, std::nanf(""), 0}},
+                     {},
+                     {{{0, 1, 2}}, {{0, 1, 5}}, {{0, 1, 3}}, {{4, 1, 2}}, {{2, 1, 0}}}};
+  const ClusteredMesh clusters = clustersOf(mesh);
+  EXPECT_EQ(clusters.outOfRangeTriangles, 1u);
+  EXPECT_EQ(clusters.notFiniteTriangles, 2u);
+  EXPECT_EQ(checkedTriangleCounts(mesh, clusters), (std::vector<int>{1, 0, 0, 0, 1}));
+}
+
+TEST(BuildClusters, OfNothingAreNone)
+{
+  const ClusteredMesh clusters = clustersOf({});
+  EXPECT_TRUE(clusters.clusters.empty());
+  EXPECT_EQ(clusters.triangleCount, 0u);
+}
+
+TEST(BuildClusters, KeepMillimetresTenThousandKilometresOut)
+{
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < 300; ++i)
+    mesh.precise.push_back({1e7 + 1.1e-3 * i, -1e7 + 1.3e-3 * (i % 17), 1e7 / 3 + 1e-3 * (i % 5)});
+  for (std::uint32_t i = 0; i + 2 < 300; ++i)
+    mesh.triangles.push_back({{i, i + 1, i + 2}});
+  const ClusteredMesh clusters = clustersOf(mesh);
+  ASSERT_TRUE(clusters.hasLowParts());
+  for (std::size_t v = 0; v < clusters.vertexCount; ++v) {
+    const Vec3d p = mesh.precise[clusters.vertex[v]] - clusters.origin;
+    EXPECT_NEAR(static_cast<double>(clusters.x[v]) + clusters.xLow[v], p.x, 1e-9);
+    EXPECT_NEAR(static_cast<double>(clusters.y[v]) + clusters.yLow[v], p.y, 1e-9);
+    EXPECT_NEAR(static_cast<double>(clusters.z[v]) + clusters.zLow[v], p.z, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace limn

@@ -1,0 +1,287 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Each kind of input that cannot be drawn gets its error, a message that names it, and no picture.
+#include "Testing/Unit/TestScene.h"
+
+#include <cmath>
+#include <limits>
+
+namespace limn::testing {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+/// A scene that can be drawn, until a test spoils it.
+struct Input {
+  OwnedMesh mesh = sheet({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  std::vector<Light> lights = {Light{}};
+  std::vector<Instance> instances;
+  Scene scene;
+  Picture picture{16, 16};
+  FrameView frame = picture.frame(Background::kBlend);
+
+  Input()
+  {
+    mesh.cellNormals = {{0, 0, 1}};
+    mesh.vertexColors.assign(4, {1, 2, 3, 4});
+    mesh.cellColors = {{1, 2, 3, 4}};
+    instances = {instanceOf(mesh)};
+    lights[0].kind = LightKind::kSpot;
+    Stage stage;
+    scene = stage.scene();
+    scene.lights = lights;
+    scene.instances = instances;
+  }
+  Light& light() { return lights[0]; }
+  Instance& instance() { return instances[0]; }
+};
+
+struct Mistake {
+  const char* name;
+  Error error;
+  const char* word;  ///< that the message must hold
+  void (*make)(Input&);
+};
+
+void PrintTo(const Mistake& mistake, std::ostream* stream)
+{
+  *stream << mistake.name;
+}
+
+/// Attribute arrays that are one too short: views on the mesh's own.
+template <class T>
+Span<const T> shortened(Span<const T> span)
+{
+  return {span.data(), span.size() - 1};
+}
+
+const Mistake kFrameMistakes[] = {
+    {"WidthZero", Error::kInvalidImageSize, "0 x 16", [](Input& i) { i.frame.width = 0; }},
+    {"HeightZero", Error::kInvalidImageSize, "16 x 0", [](Input& i) { i.frame.height = 0; }},
+    {"WidthNegative", Error::kInvalidImageSize, "-3 x 16", [](Input& i) { i.frame.width = -3; }},
+    {"WidthTooLarge", Error::kInvalidImageSize, "16385",
+     [](Input& i) { i.frame.width = 16385, i.frame.rowStride = 16385; }},
+    {"HeightTooLarge", Error::kInvalidImageSize, "16385", [](Input& i) { i.frame.height = 16385; }},
+    {"RowStrideTooSmall", Error::kInvalidImageSize, "stride",
+     [](Input& i) { i.frame.rowStride = 15; }},
+    {"NoColorPlane", Error::kMissingData, "colour", [](Input& i) { i.frame.color = nullptr; }},
+    {"NoDepthPlane", Error::kMissingData, "depth", [](Input& i) { i.frame.depth = nullptr; }},
+    {"SamplesThree", Error::kInvalidSampleCount, "3", [](Input& i) { i.scene.samples = 3; }},
+    {"SamplesZero", Error::kInvalidSampleCount, "0", [](Input& i) { i.scene.samples = 0; }},
+    {"SamplesSixteen", Error::kInvalidSampleCount, "16", [](Input& i) { i.scene.samples = 16; }},
+    {"SamplesNegative", Error::kInvalidSampleCount, "-1", [](Input& i) { i.scene.samples = -1; }},
+};
+
+const Mistake kSceneMistakes[] = {
+    {"ViewMatrixNan", Error::kNotFinite, "camera",
+     [](Input& i) { i.scene.camera.worldToView.m[1][3] = std::nan(""); }},
+    {"ProjectionInfinite", Error::kNotFinite, "camera",
+     [](Input& i) { i.scene.camera.viewToClip.m[0][0] = HUGE_VAL; }},
+    {"AmbientLightNan", Error::kNotFinite, "ambient",
+     [](Input& i) { i.scene.ambientLight.y = kNan; }},
+    {"AmbientLightNegative", Error::kNotFinite, "ambient",
+     [](Input& i) { i.scene.ambientLight.y = -1; }},
+    {"LightColorNan", Error::kNotFinite, "Light 0", [](Input& i) { i.light().color.x = kNan; }},
+    {"LightColorNegative", Error::kNotFinite, "Light 0", [](Input& i) { i.light().color.z = -1; }},
+    {"LightPositionInfinite", Error::kNotFinite, "Light 0",
+     [](Input& i) { i.light().position.x = HUGE_VAL; }},
+    {"LightDirectionNan", Error::kNotFinite, "Light 0",
+     [](Input& i) { i.light().direction.x = std::nan(""); }},
+    {"LightDirectionZero", Error::kNotFinite, "direction",
+     [](Input& i) {
+       i.light().direction = {0, 0, 0};
+     }},
+    {"DirectionalLightsDirectionZero", Error::kNotFinite, "direction",
+     [](Input& i) {
+       i.light().kind = LightKind::kDirectional, i.light().direction = {0, 0, 0};
+     }},
+    {"AttenuationZero", Error::kNotFinite, "attenuation",
+     [](Input& i) {
+       i.light().attenuation = {0, 0, 0};
+     }},
+    {"PointLightsAttenuationZero", Error::kNotFinite, "attenuation",
+     [](Input& i) {
+       i.light().kind = LightKind::kPoint, i.light().attenuation = {0, 0, 0};
+     }},
+    {"AttenuationNegative", Error::kNotFinite, "attenuation",
+     [](Input& i) { i.light().attenuation.y = -1; }},
+    {"AttenuationNan", Error::kNotFinite, "Light 0",
+     [](Input& i) { i.light().attenuation.y = kNan; }},
+    {"Cone91", Error::kNotFinite, "cone", [](Input& i) { i.light().coneDegrees = 91; }},
+    {"ConeNegative", Error::kNotFinite, "cone", [](Input& i) { i.light().coneDegrees = -1; }},
+    {"ConeNan", Error::kNotFinite, "Light 0", [](Input& i) { i.light().coneDegrees = kNan; }},
+    {"ExponentNegative", Error::kNotFinite, "exponent", [](Input& i) { i.light().exponent = -1; }},
+    {"ExponentNan", Error::kNotFinite, "Light 0", [](Input& i) { i.light().exponent = kNan; }},
+};
+
+const Mistake kInstanceMistakes[] = {
+    {"ModelMatrixNan", Error::kNotFinite, "Instance 0",
+     [](Input& i) { i.instance().modelToWorld.m[2][0] = std::nan(""); }},
+    {"DiffuseNan", Error::kNotFinite, "material",
+     [](Input& i) { i.instance().material.diffuse = kNan; }},
+    {"AmbientNegative", Error::kNotFinite, "material",
+     [](Input& i) { i.instance().material.ambient = -0.1f; }},
+    {"SpecularInfinite", Error::kNotFinite, "material",
+     [](Input& i) { i.instance().material.specular = kInfinity; }},
+    {"PowerNegative", Error::kNotFinite, "material",
+     [](Input& i) { i.instance().material.specularPower = -1; }},
+    {"AmbientColorNan", Error::kNotFinite, "material",
+     [](Input& i) { i.instance().material.ambientColor.x = kNan; }},
+    {"DiffuseColorNegative", Error::kNotFinite, "material",
+     [](Input& i) { i.instance().material.diffuseColor.y = -1; }},
+    {"SpecularColorNan", Error::kNotFinite, "material",
+     [](Input& i) { i.instance().material.specularColor.z = kNan; }},
+    {"ToneCoolNan", Error::kNotFinite, "style",
+     [](Input& i) { i.instance().style.toneCool.x = kNan; }},
+    {"ToneWarmNan", Error::kNotFinite, "style",
+     [](Input& i) { i.instance().style.toneWarm.x = kNan; }},
+    {"CoolSurfaceNan", Error::kNotFinite, "style",
+     [](Input& i) { i.instance().style.coolSurface = kNan; }},
+    {"WarmSurfaceNan", Error::kNotFinite, "style",
+     [](Input& i) { i.instance().style.warmSurface = kNan; }},
+    {"OutlineThresholdNan", Error::kNotFinite, "style",
+     [](Input& i) { i.instance().style.outlineThreshold = kNan; }},
+    {"OutlineColorNan", Error::kNotFinite, "style",
+     [](Input& i) { i.instance().style.outlineColor.x = kNan; }},
+    {"CellsTooShort", Error::kSizeMismatch, "cells",
+     [](Input& i) { i.instance().attributes.cells = shortened(i.instance().attributes.cells); }},
+    {"VertexNormalsTooShort", Error::kSizeMismatch, "vertex normals",
+     [](Input& i) {
+       i.instance().attributes.vertexNormals = shortened(i.instance().attributes.vertexNormals);
+     }},
+    {"VertexColorsTooShort", Error::kSizeMismatch, "vertex colours",
+     [](Input& i) {
+       i.instance().attributes.vertexColors = shortened(i.instance().attributes.vertexColors);
+     }},
+    {"CellNormalsTooShort", Error::kSizeMismatch, "cell normals",
+     [](Input& i) { i.instance().attributes.cellCount = 2; }},
+    {"CellColorsTooShort", Error::kSizeMismatch, "cell colours",
+     [](Input& i) {
+       i.instance().attributes.cells = {}, i.instance().attributes.cellNormals = {};
+     }},
+    {"FaceCentroidsTooShort", Error::kSizeMismatch, "face centroids",
+     [](Input& i) {
+       i.instance().attributes.cells = {}, i.instance().attributes.cellNormals = {};
+       i.instance().attributes.cellColors = {};
+     }},
+    {"FaceNormalsTooShort", Error::kSizeMismatch, "face normals",
+     [](Input& i) {
+       i.instance().attributes.cells = {}, i.instance().attributes.cellNormals = {};
+       i.instance().attributes.cellColors = {}, i.instance().attributes.faceCentroids = {};
+     }},
+    {"NoVertexNormals", Error::kMissingData, "vertex normals",
+     [](Input& i) { i.instance().attributes.vertexNormals = {}; }},
+    {"NoCellNormals", Error::kMissingData, "cell normals",
+     [](Input& i) {
+       i.instance().style.normals = NormalSource::kCell, i.instance().attributes.cellNormals = {};
+     }},
+    {"NoFaceNormals", Error::kMissingData, "face",
+     [](Input& i) {
+       i.instance().style.frequency = ShadingFrequency::kFlat;
+       i.instance().attributes.faceNormals = {};
+     }},
+    {"NoFaceCentroids", Error::kMissingData, "face",
+     [](Input& i) {
+       i.instance().style.frequency = ShadingFrequency::kFlat;
+       i.instance().attributes.faceCentroids = {};
+     }},
+};
+
+class Mistakes : public ::testing::TestWithParam<std::tuple<Mistake, Backend>> {};
+
+TEST_P(Mistakes, AreToldAndNothingIsDrawn)
+{
+  const auto& [mistake, backend] = GetParam();
+  Input input;
+  const Picture before = input.picture;
+  mistake.make(input);
+  const Status status = render(input.scene, input.frame, {backend, 1});
+  EXPECT_EQ(status.error, mistake.error);
+  EXPECT_NE(status.message.find(mistake.word), std::string::npos) << status.message;
+  EXPECT_EQ(input.picture.differingPixels(before), 0u);
+}
+
+std::string nameOf(const ::testing::TestParamInfo<std::tuple<Mistake, Backend>>& test)
+{
+  const auto& [mistake, backend] = test.param;
+  return std::string(mistake.name) + (backend == Backend::kPipeline ? "Pipeline" : "Reference");
+}
+INSTANTIATE_TEST_SUITE_P(Frame, Mistakes,
+                         ::testing::Combine(::testing::ValuesIn(kFrameMistakes), bothBackends()),
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Scene, Mistakes,
+                         ::testing::Combine(::testing::ValuesIn(kSceneMistakes), bothBackends()),
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Instance, Mistakes,
+                         ::testing::Combine(::testing::ValuesIn(kInstanceMistakes), bothBackends()),
+                         nameOf);
+
+class CheckScene : public BothBackends {};
+LIMN_ON_BOTH_BACKENDS(CheckScene);
+
+TEST_P(CheckScene, TheUnspoiltInputIsDrawn)
+{
+  Input input;
+  const Status status = render(input.scene, input.frame, {GetParam(), 1});
+  EXPECT_TRUE(status.ok());
+  EXPECT_TRUE(status.message.empty());
+  EXPECT_TRUE(covered(input.picture, 8, 8));
+}
+
+TEST_P(CheckScene, NamesTheLightAndTheInstanceThatIsWrong)
+{
+  Input input;
+  input.lights.resize(3);
+  input.lights[2].color.x = kNan;
+  input.scene.lights = input.lights;
+  EXPECT_NE(render(input.scene, input.frame, {GetParam(), 1}).message.find("Light 2"),
+            std::string::npos);
+  input.lights[2].color.x = 1;
+  input.instances.push_back(input.instances[0]);
+  input.instances[1].material.diffuse = kNan;
+  input.scene.instances = input.instances;
+  EXPECT_NE(render(input.scene, input.frame, {GetParam(), 1}).message.find("Instance 1"),
+            std::string::npos);
+}
+
+TEST(CheckSceneOfPipeline, ClustersAreNeeded)
+{
+  Input input;
+  input.instance().clusters = nullptr;
+  const Status status = render(input.scene, input.frame, {Backend::kPipeline, 1});
+  EXPECT_EQ(status.error, Error::kMissingData);
+  EXPECT_NE(status.message.find("buildClusters"), std::string::npos);
+}
+
+TEST(CheckSceneOfReference, TheMeshIsNeeded)
+{
+  Input input;
+  input.instance().mesh = {};
+  const Status status = render(input.scene, input.frame, {Backend::kReference, 1});
+  EXPECT_EQ(status.error, Error::kMissingData);
+  EXPECT_NE(status.message.find("triangles"), std::string::npos);
+}
+
+TEST_P(CheckScene, BrokenTrianglesAreLeftOutAndTheRestIsDrawn)
+{
+  OwnedMesh mesh = sheet({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  Stage stage;
+  stage.instances = {painted(mesh, {1, 1, 1})};
+  const Picture whole = draw(stage);
+  mesh.positions.push_back({kNan, 0, 1});
+  mesh.positions.push_back({0, kInfinity, 1});
+  mesh.vertexNormals.resize(6);
+  mesh.triangles.push_back({{0, 1, 4}});
+  mesh.triangles.push_back({{0, 1, 5}});
+  mesh.triangles.push_back({{0, 1, 6}});
+  mesh.triangles.push_back({{0, 1, 0xFFFFFFFFu}});
+  mesh.cells.resize(6, 0);
+  finish(mesh);
+  stage.instances = {painted(mesh, {1, 1, 1})};
+  EXPECT_EQ(draw(stage).differingPixels(whole), 0u);
+}
+
+}  // namespace
+}  // namespace limn::testing

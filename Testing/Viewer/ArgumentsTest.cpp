@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Arguments.h"
+#include "UserError.h"
+
+#include <gtest/gtest.h>
+
+namespace limn::viewer
+{
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+RenderSettings parseRender(const Words& options)
+{
+  Words arguments = { "render", "a.obj", "--output=a.png" };
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return std::get<RenderRequest>(parseArguments(arguments)).settings;
+}
+
+/// The message of the error, or "" if there is none.
+std::string errorOf(const Words& arguments)
+{
+  try
+  {
+    parseArguments(arguments);
+  }
+  catch (const UserError& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+std::string renderErrorOf(const Words& options)
+{
+  Words arguments = { "render", "a.obj", "--output=a.png" };
+  arguments.insert(arguments.end(), options.begin(), options.end());
+  return errorOf(arguments);
+}
+
+TEST(Arguments, DefaultsAreThoseOfTheHelp)
+{
+  const RenderSettings settings = parseRender({});
+  EXPECT_EQ(settings.output, "a.png");
+  EXPECT_EQ(settings.scene.meshes, Words{ "a.obj" });
+  EXPECT_EQ(settings.window, Window::Cpu);
+  EXPECT_EQ(settings.scene.samples, 4);
+  EXPECT_EQ(settings.scene.threads, 0);
+  EXPECT_EQ(settings.scene.resolution, (std::array<int, 2>{ 1000, 600 }));
+  EXPECT_EQ(settings.scene.material.shading, Shading::Phong);
+  EXPECT_EQ(settings.scene.material.reflection, Reflection::BlinnPhong);
+  EXPECT_EQ(settings.scene.material.tone, Tone::None);
+  EXPECT_EQ(settings.scene.material.outline, Outline::None);
+  EXPECT_TRUE(settings.scene.lights.empty());
+  EXPECT_FALSE(settings.stats);
+  EXPECT_FALSE(settings.transparentBackground);
+}
+
+TEST(Arguments, SeveralMeshesMayStandBetweenTheOptions)
+{
+  const auto request =
+    parseArguments({ "render", "a.obj", "--output", "x.png", "b.ply", "--samples=8", "c.stl" });
+  const RenderSettings& settings = std::get<RenderRequest>(request).settings;
+  EXPECT_EQ(settings.scene.meshes, (Words{ "a.obj", "b.ply", "c.stl" }));
+  EXPECT_EQ(settings.output, "x.png");
+  EXPECT_EQ(settings.scene.samples, 8);
+}
+
+TEST(Arguments, CameraIsReadIncludingNegativeNumbers)
+{
+  const CameraSettings camera = parseRender(
+    { "--camera-position=-1,2.5,-3e2", "--camera-focal-point", "-1,0,0", "--camera-view-up=0,0,1",
+      "--camera-view-angle=45", "--camera-orthographic", "--camera-parallel-scale=2", "--up=-z" })
+                                  .scene.camera;
+  EXPECT_EQ(camera.position, (Vector3{ -1, 2.5, -300 }));
+  EXPECT_EQ(camera.focalPoint, (Vector3{ -1, 0, 0 }));
+  EXPECT_EQ(camera.viewUp, (Vector3{ 0, 0, 1 }));
+  EXPECT_EQ(camera.viewAngleDegrees, 45);
+  EXPECT_TRUE(camera.orthographic);
+  EXPECT_EQ(camera.parallelScale, 2);
+  EXPECT_EQ(camera.up, (Vector3{ 0, 0, -1 }));
+}
+
+TEST(Arguments, MaterialIsRead)
+{
+  const MaterialSettings material =
+    parseRender({ "--color=0.1,0.2,0.3", "--shading=gouraud", "--reflection=lambert",
+                  "--tone=gooch-chapter", "--cool=0,0,1", "--warm=1,0.5,0", "--ambient=0.1,0.1,0",
+                  "--diffuse=0,1,0", "--specular=1,1,1", "--specular-power=50", "--outline=normal",
+                  "--outline-color=1,0,0", "--backface-culling", "--opacity=1" })
+      .scene.material;
+  EXPECT_EQ(material.color, (Color{ 0.1, 0.2, 0.3 }));
+  EXPECT_EQ(material.shading, Shading::Gouraud);
+  EXPECT_EQ(material.reflection, Reflection::Lambert);
+  EXPECT_EQ(material.tone, Tone::GoochChapter);
+  EXPECT_EQ(material.cool, (Color{ 0, 0, 1 }));
+  EXPECT_EQ(material.warm, (Color{ 1, 0.5, 0 }));
+  EXPECT_EQ(material.ambient, (Color{ 0.1, 0.1, 0 }));
+  EXPECT_EQ(material.diffuse, (Color{ 0, 1, 0 }));
+  EXPECT_EQ(material.specular, (Color{ 1, 1, 1 }));
+  EXPECT_EQ(material.specularPower, 50);
+  EXPECT_EQ(material.outline, Outline::Normal);
+  EXPECT_EQ(material.outlineColor, (Color{ 1, 0, 0 }));
+  EXPECT_TRUE(material.backfaceCulling);
+}
+
+TEST(Arguments, LightsKeepTheirOrder)
+{
+  const auto lights = parseRender(
+    { "--light=directional:0,-1,0:2,2,2", "--light=point:1,2,3:9,8,7",
+      "--light=spot:0,0,5:0,0,-1:20:4:1,1,0", "--light=headlight", "--ambient-light=0.2,0.3,0.4" })
+                        .scene.lights;
+  ASSERT_EQ(lights.size(), 4u);
+  EXPECT_EQ(lights[0].kind, LightKind::Directional);
+  EXPECT_EQ(lights[0].direction, (Vector3{ 0, -1, 0 }));
+  EXPECT_EQ(lights[0].color, (Color{ 2, 2, 2 }));
+  EXPECT_EQ(lights[1].kind, LightKind::Point);
+  EXPECT_EQ(lights[1].position, (Vector3{ 1, 2, 3 }));
+  EXPECT_EQ(lights[1].color, (Color{ 9, 8, 7 }));
+  EXPECT_EQ(lights[2].kind, LightKind::Spot);
+  EXPECT_EQ(lights[2].position, (Vector3{ 0, 0, 5 }));
+  EXPECT_EQ(lights[2].direction, (Vector3{ 0, 0, -1 }));
+  EXPECT_EQ(lights[2].coneDegrees, 20);
+  EXPECT_EQ(lights[2].exponent, 4);
+  EXPECT_EQ(lights[2].color, (Color{ 1, 1, 0 }));
+  EXPECT_EQ(lights[3].kind, LightKind::Headlight);
+}
+
+TEST(Arguments, PictureAndColoringAreRead)
+{
+  const RenderSettings settings = parseRender({ "--resolution=64,48", "--samples=2", "--threads=3",
+    "--window=gl", "--stats", "--no-background", "--coloring-array=height", "--colormap=cool-warm",
+    "--coloring-range=-1,2" });
+  EXPECT_EQ(settings.scene.resolution, (std::array<int, 2>{ 64, 48 }));
+  EXPECT_EQ(settings.scene.samples, 2);
+  EXPECT_EQ(settings.scene.threads, 3);
+  EXPECT_EQ(settings.window, Window::Gl);
+  EXPECT_TRUE(settings.stats);
+  EXPECT_TRUE(settings.transparentBackground);
+  EXPECT_EQ(settings.scene.coloring.array, "height");
+  EXPECT_EQ(settings.scene.coloring.colormap, "cool-warm");
+  EXPECT_EQ(settings.scene.coloring.range, (std::array<double, 2>{ -1, 2 }));
+  EXPECT_EQ(parseRender({ "--background-color=1,0,0.5" }).scene.background, (Color{ 1, 0, 0.5 }));
+}
+
+TEST(Arguments, UnknownOptionsAreNamedWithTheHelpToRead)
+{
+  EXPECT_EQ(renderErrorOf({ "--foo" }), "unknown option --foo; see \"limn help render\"");
+  EXPECT_EQ(renderErrorOf({ "--foo=3" }), "unknown option --foo; see \"limn help render\"");
+  EXPECT_EQ(renderErrorOf({ "-x" }), "unknown option -x; see \"limn help render\"");
+  EXPECT_EQ(errorOf({ "info", "a.obj", "--output=x.png" }),
+    "unknown option --output; see \"limn help info\"");
+  EXPECT_EQ(
+    errorOf({ "draw" }), "unknown verb draw; choose one of: render, view, info, compare, help");
+}
+
+TEST(Arguments, OptionsOfLaterVersionsAreNamedAsSuch)
+{
+  for (const std::string option :
+    { "--toon-steps", "--outline-width", "--feature-angle", "--texture", "--texture-filter",
+      "--bump", "--bump-scale", "--lightmap", "--edges", "--line-width", "--point-size" })
+  {
+    const std::string expected = option + " is not served by this version; ";
+    EXPECT_EQ(renderErrorOf({ option + "=1" }).substr(0, expected.size()), expected);
+    EXPECT_EQ(renderErrorOf({ option }).substr(0, expected.size()), expected);
+  }
+}
+
+TEST(Arguments, ValuesOfLaterVersionsAreNamedAsSuch)
+{
+  EXPECT_EQ(renderErrorOf({ "--reflection=irradiance" }),
+    "--reflection=irradiance is not served by this version; choose one of: none, lambert, "
+    "phong, blinn-phong");
+  EXPECT_EQ(renderErrorOf({ "--tone=toon" }),
+    "--tone=toon is not served by this version; choose one of: none, gooch, gooch-chapter");
+  EXPECT_EQ(renderErrorOf({ "--outline=hull" }),
+    "--outline=hull is not served by this version; choose one of: none, normal");
+  EXPECT_EQ(renderErrorOf({ "--outline=image" }),
+    "--outline=image is not served by this version; choose one of: none, normal");
+  EXPECT_EQ(renderErrorOf({ "--samples=16" }),
+    "--samples=16 is not served by this version; choose one of: 1, 2, 4, 8");
+  EXPECT_EQ(renderErrorOf({ "--opacity=0.5" }),
+    "--opacity=0.5: translucency is not yet served by this version; use --opacity=1");
+}
+
+TEST(Arguments, MisspelledValuesNameTheAllowedOnes)
+{
+  EXPECT_EQ(renderErrorOf({ "--shading=fong" }),
+    "--shading=fong is unknown; choose one of: flat, gouraud, phong");
+  EXPECT_EQ(renderErrorOf({ "--colormap=jet", "--coloring-array=a" }),
+    "--colormap=jet is unknown; choose one of: viridis, cool-warm, rainbow, grayscale, "
+    "black-body");
+  EXPECT_EQ(renderErrorOf({ "--window=x11" }), "--window=x11 is unknown; choose one of: cpu, gl");
+  EXPECT_EQ(renderErrorOf({ "--samples=3" }), "--samples=3 is unknown; choose one of: 1, 2, 4, 8");
+  EXPECT_EQ(
+    renderErrorOf({ "--up=Y" }), "--up=Y is not an axis; choose one of: +X, -X, +Y, -Y, +Z, -Z");
+}
+
+class BadValue : public ::testing::TestWithParam<const char*>
+{
+};
+
+TEST_P(BadValue, IsRefusedAndQuoted)
+{
+  const std::string option = GetParam();
+  EXPECT_NE(renderErrorOf({ option }).find(option), std::string::npos) << renderErrorOf({ option });
+}
+
+INSTANTIATE_TEST_SUITE_P(Arguments, BadValue,
+  ::testing::Values("--camera-position=nan,0,0", "--camera-position=1e31,0,0",
+    "--camera-position=0,inf,0", "--camera-position=1,2", "--camera-position=1,2,3,4",
+    "--camera-position=1,,3", "--camera-position=a,b,c", "--camera-position=1,2,3x",
+    "--camera-view-up=0,0,0", "--camera-view-angle=0", "--camera-view-angle=180",
+    "--camera-view-angle=nan", "--camera-parallel-scale=0", "--camera-parallel-scale=-1",
+    "--color=-0.1,0,0", "--color=nan,0,0", "--color=1e300,0,0", "--color=red",
+    "--background-color=0,0,1.5", "--specular-power=129", "--specular-power=-1",
+    "--specular-power=inf", "--light=sun", "--light=headlight:1,1,1",
+    "--light=directional:0,0,0:1,1,1", "--light=directional:0,0,1",
+    "--light=directional:0,0,1:-1,0,0", "--light=point:0,0,nan:1,1,1",
+    "--light=spot:0,0,0:0,0,1:0:1:1,1,1", "--light=spot:0,0,0:0,0,1:90:1:1,1,1",
+    "--light=spot:0,0,0:0,0,1:30:-1:1,1,1", "--light=spot:0,0,0:0,0,1:30:1", "--ambient-light=1,2",
+    "--coloring-range=1,1", "--coloring-range=2,1", "--coloring-range=0,nan", "--threads=0",
+    "--threads=-2", "--threads=two", "--threads=1.5", "--opacity=x", "--output=", "--color="));
+
+TEST(Arguments, ResolutionMustBePositiveAndBounded)
+{
+  for (const std::string text : { "0,10", "10,-1", "10", "10,20,30", "16385,10", "1e3,10", "x,y" })
+  {
+    EXPECT_NE(renderErrorOf({ "--resolution=" + text }), "") << text;
+  }
+}
+
+TEST(Arguments, AnOptionIsGivenOnce)
+{
+  EXPECT_EQ(
+    renderErrorOf({ "--samples=2", "--samples=4" }), "--samples is given twice; give it once");
+}
+
+TEST(Arguments, SwitchesTakeNoValue)
+{
+  EXPECT_EQ(renderErrorOf({ "--stats=yes" }), "--stats=yes: --stats takes no value");
+}
+
+TEST(Arguments, FilesAfterTheMarkMayLookLikeOptions)
+{
+  const auto request = parseArguments({ "info", "--", "-a.obj" });
+  EXPECT_EQ(std::get<InfoRequest>(request).meshes, Words{ "-a.obj" });
+}
+
+TEST(Arguments, WhatIsMissingIsNamed)
+{
+  EXPECT_EQ(errorOf({}), "no verb is named; see \"limn help\"");
+  EXPECT_EQ(errorOf({ "render", "--output=x.png" }),
+    "no mesh is named; give one, as in: limn render teapot.obj --output=teapot.png");
+  EXPECT_EQ(errorOf({ "view" }), "no mesh is named; give one, as in: limn view teapot.obj");
+  EXPECT_EQ(errorOf({ "info" }), "no mesh is named; give one, as in: limn info teapot.obj");
+  EXPECT_EQ(errorOf({ "render", "a.obj" }), "no output is named; add --output=FILE.png");
+  EXPECT_NE(errorOf({ "render", "a.obj", "--output" }).find("--output"), std::string::npos);
+  EXPECT_EQ(errorOf({ "compare", "a.png" }),
+    "compare takes two pictures, got 1; as in: limn compare A.png B.png");
+}
+
+TEST(Arguments, OutputMustBePng)
+{
+  EXPECT_EQ(errorOf({ "render", "a.obj", "--output=out/x.jpg" }),
+    "--output=out/x.jpg is not a PNG file; name it out/x.png");
+  EXPECT_EQ(
+    errorOf({ "render", "a.obj", "--output=x" }), "--output=x is not a PNG file; name it x.png");
+  EXPECT_EQ(errorOf({ "render", "a.obj", "--output=x.PNG" }), "");
+}
+
+TEST(Arguments, OptionsThatNeedOrExcludeEachOther)
+{
+  EXPECT_NE(renderErrorOf({ "--colormap=viridis" }).find("--coloring-array"), std::string::npos);
+  EXPECT_NE(renderErrorOf({ "--coloring-range=0,1" }).find("--coloring-array"), std::string::npos);
+  EXPECT_NE(renderErrorOf({ "--camera-parallel-scale=1" }).find("--camera-orthographic"),
+    std::string::npos);
+  EXPECT_NE(renderErrorOf({ "--no-background", "--background-color=0,0,0" }), "");
+  EXPECT_NE(renderErrorOf({ "--camera-position=1,1,1", "--camera-focal-point=1,1,1" }), "");
+}
+
+TEST(Arguments, ViewSharesTheSceneButHasNoOutput)
+{
+  const auto request = parseArguments({ "view", "a.obj", "--tone=gooch" });
+  EXPECT_EQ(std::get<ViewRequest>(request).scene.material.tone, Tone::Gooch);
+  EXPECT_EQ(errorOf({ "view", "a.obj", "--output=x.png" }),
+    "unknown option --output; see \"limn help view\"");
+}
+
+TEST(Arguments, CompareTakesATolerance)
+{
+  const auto request = parseArguments({ "compare", "a.png", "b.png", "--tolerance=3" });
+  const CompareSettings& settings = std::get<CompareRequest>(request).settings;
+  EXPECT_EQ(settings.pictures, (std::array<std::string, 2>{ "a.png", "b.png" }));
+  EXPECT_EQ(settings.tolerance, 3);
+  EXPECT_NE(errorOf({ "compare", "a.png", "b.png", "--tolerance=-1" }), "");
+  EXPECT_NE(errorOf({ "compare", "a.png", "b.png", "--tolerance=256" }), "");
+}
+
+TEST(Arguments, HelpListsEveryServedOption)
+{
+  const auto request = parseArguments({ "help", "render" });
+  const std::string& text = std::get<HelpRequest>(request).text;
+  for (const std::string option :
+    { "--output", "--resolution", "--camera-position", "--camera-focal-point", "--camera-view-up",
+      "--camera-view-angle", "--camera-orthographic", "--camera-parallel-scale", "--up", "--color",
+      "--background-color", "--no-background", "--opacity", "--shading", "--reflection", "--tone",
+      "--cool", "--warm", "--ambient", "--diffuse", "--specular", "--specular-power", "--light",
+      "--ambient-light", "--outline", "--outline-color", "--coloring-array", "--colormap",
+      "--coloring-range", "--samples", "--backface-culling", "--threads", "--window", "--stats" })
+  {
+    EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
+  }
+  EXPECT_EQ(text.find("--texture"), std::string::npos);
+  EXPECT_EQ(std::get<HelpRequest>(parseArguments({ "render", "--help" })).text, text);
+}
+
+TEST(Arguments, HelpAndVersionNeedNoVerb)
+{
+  EXPECT_TRUE(std::holds_alternative<VersionRequest>(parseArguments({ "--version" })));
+  EXPECT_TRUE(std::holds_alternative<HelpRequest>(parseArguments({ "help" })));
+  EXPECT_TRUE(std::holds_alternative<HelpRequest>(parseArguments({ "--help" })));
+  EXPECT_TRUE(std::holds_alternative<HelpRequest>(parseArguments({ "help", "help" })));
+  EXPECT_NE(errorOf({ "help", "draw" }), "");
+}
+
+} // namespace
+} // namespace limn::viewer

@@ -1,0 +1,308 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Program.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+
+namespace limn::testing
+{
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+/// Draws a mesh of Data/Meshes, small, and returns the bytes of the picture.
+class Render : public ::testing::Test
+{
+protected:
+  std::string draw(
+    const std::string& mesh, const Words& options = {}, const Environment& environment = {})
+  {
+    Words arguments = { "render", meshFile(mesh), "--resolution=200,120", "--output=" + output_ };
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = runLimn(arguments, environment);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    out_ = outcome.out;
+    return bytesOf(output_);
+  }
+
+  Folder folder_;
+  std::string output_ = folder_.file("out.png");
+  std::string out_;
+};
+
+TEST_F(Render, WritesAPngOfTheResolutionAndNothingElse)
+{
+  draw("teapot.obj");
+  const PngHeader header = pngHeader(output_);
+  EXPECT_EQ(header.width, 200);
+  EXPECT_EQ(header.height, 120);
+  EXPECT_EQ(header.channels, 3);
+  EXPECT_EQ(folder_.names(), Words{ "out.png" });
+  EXPECT_EQ(out_, "");
+}
+
+TEST_F(Render, WithoutBackgroundThePictureHasAlpha)
+{
+  draw("teapot.obj", { "--no-background" });
+  EXPECT_EQ(pngHeader(output_).channels, 4);
+}
+
+TEST_F(Render, TheBytesDependOnTheSceneOnly)
+{
+  const Words options = { "--tone=gooch", "--light=directional:-1,-1,-1:1,1,1" };
+  const std::string first = draw("teapot.obj", options);
+  ASSERT_GT(first.size(), 1000u);
+  EXPECT_EQ(draw("teapot.obj", options), first);
+  for (const std::string threads : { "1", "2", "3", "8" })
+  {
+    Words threaded = options;
+    threaded.push_back("--threads=" + threads);
+    EXPECT_EQ(draw("teapot.obj", threaded), first) << threads << " threads";
+  }
+}
+
+TEST_F(Render, EveryInstructionSetDrawsTheSameBytes)
+{
+  const std::string best = draw("teapot.obj", { "--stats" });
+  const std::string bestTarget = nlohmann::json::parse(out_)["target"];
+  std::size_t tried = 0;
+  for (const std::string target : { "AVX3", "AVX2", "SSE4", "SSSE3", "NEON" })
+  {
+    const Words arguments = { "render", meshFile("teapot.obj"), "--resolution=200,120", "--stats",
+      "--output=" + output_ };
+    const Outcome outcome = runLimn(arguments, { { "LIMN_INSTRUCTION_SET", target } });
+    if (outcome.status != 0)
+      continue;
+    if (nlohmann::json::parse(outcome.out)["target"] != target)
+      continue;
+    EXPECT_EQ(bytesOf(output_), best) << target << " and " << bestTarget;
+    ++tried;
+  }
+  EXPECT_GE(tried, 1u) << "not even " << bestTarget << " can be chosen";
+}
+
+TEST_F(Render, EveryLookIsAPictureOfItsOwn)
+{
+  const std::vector<Words> looks = {
+    {},
+    { "--shading=flat" },
+    { "--shading=gouraud" },
+    { "--reflection=none" },
+    { "--reflection=lambert" },
+    { "--reflection=phong" },
+    { "--tone=gooch" },
+    { "--tone=gooch-chapter" },
+    { "--tone=gooch", "--cool=0,0.5,0" },
+    { "--tone=gooch", "--warm=0.9,0,0" },
+    { "--outline=normal" },
+    { "--outline=normal", "--outline-color=1,0,0" },
+    { "--color=1,0.2,0.1" },
+    { "--diffuse=0.2,0.9,0.1" },
+    { "--specular=0,0,1" },
+    { "--specular-power=4" },
+    { "--ambient-light=0.3,0.3,0.3" },
+    { "--ambient-light=0.3,0.3,0.3", "--ambient=1,0,0" },
+    { "--light=directional:-1,-1,-1:1,1,1" },
+    { "--light=directional:1,-1,-1:1,1,1" },
+    { "--light=directional:-1,-1,-1:1,1,1", "--light=headlight" },
+    { "--light=point:4,4,4:40,40,40" },
+    { "--light=spot:0,4,8:0,-0.4,-0.8:8:1:80,80,80" },
+    { "--samples=1" },
+    { "--samples=2" },
+    { "--samples=8" },
+    { "--background-color=0,0,0" },
+    { "--camera-position=8,3,1" },
+    { "--camera-focal-point=0,0,0.5" },
+    { "--camera-view-up=1,1,0" },
+    { "--camera-view-angle=60", "--camera-position=8,3,1" },
+    { "--camera-orthographic" },
+    { "--camera-orthographic", "--camera-parallel-scale=5" },
+    { "--up=+Z" },
+  };
+  std::map<std::string, std::string> lookOfPicture;
+  for (const Words& look : looks)
+  {
+    std::string name;
+    for (const std::string& option : look)
+      name += option + " ";
+    const auto [other, isNew] = lookOfPicture.emplace(draw("teapot.obj", look), name);
+    EXPECT_TRUE(isNew) << name << "looks like " << other->second;
+  }
+}
+
+/// A floor that fills the picture, seen and lit from straight above: n.l = n.v = n.h = 1, so that
+/// every pixel shows one value of the equation in question.
+class RenderFloor : public Render
+{
+protected:
+  /// How the picture of the floor differs from one that is wholly `color`.
+  std::string differenceFrom(const std::string& color, const Words& options)
+  {
+    const std::string floor =
+      folder_.write("floor.obj", "v -9 0 -9\nv -9 0 9\nv 9 0 9\nv 9 0 -9\nf 1 2 3 4\n");
+    drawFloor(floor, "floor.png", "0,2,0", options);
+    drawFloor(floor, "color.png", "0,-2,0",
+      { "--camera-focal-point=0,-4,0", "--background-color=" + color });
+    return runLimn({ "compare", folder_.file("floor.png"), folder_.file("color.png") }).out;
+  }
+
+private:
+  void drawFloor(const std::string& floor, const std::string& picture, const std::string& eye,
+    const Words& options)
+  {
+    Words arguments = { "render", floor, "--resolution=20,10", "--camera-orthographic" };
+    const Words place = { "--camera-parallel-scale=1", "--camera-position=" + eye,
+      "--output=" + folder_.file(picture) };
+    arguments.insert(arguments.end(), place.begin(), place.end());
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const Outcome outcome = runLimn(arguments);
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+  }
+};
+
+const char* const kSame = "0 of 200 pixels differ; largest difference 0, mean 0\n";
+
+TEST_F(RenderFloor, OptionsAreTheTermsOfTheChaptersEquations)
+{
+  const auto differenceOfDull = [this](const std::string& color, Words options)
+  {
+    options.push_back("--specular=0,0,0");
+    return differenceFrom(color, options);
+  };
+  const std::string color = "--color=0.2,0.4,0";
+  EXPECT_EQ(differenceOfDull("0.2,0.4,0", { color }), kSame);
+  EXPECT_EQ(differenceOfDull("0.2,0.4,0", { color, "--light=headlight" }), kSame);
+  EXPECT_EQ(differenceOfDull("0.2,0.4,0", { "--diffuse=0.2,0.4,0" }), kSame);
+  EXPECT_EQ(differenceOfDull("0.4,0.8,0", { color, "--light=directional:0,-1,0:2,2,2" }), kSame);
+  EXPECT_EQ(differenceOfDull("0,0,0", { color, "--light=directional:0,1,0:2,2,2" }), kSame);
+  EXPECT_EQ(differenceOfDull("0.2,0.4,0", { color, "--reflection=none" }), kSame);
+  EXPECT_EQ(differenceOfDull("0.4,0.6,0", { color, "--ambient-light=1,0.5,1" }), kSame);
+  EXPECT_EQ(
+    differenceOfDull("0.2,0.4,0.2", { color, "--ambient-light=0.5,0.5,1", "--ambient=0,0,0.2" }),
+    kSame);
+}
+
+TEST_F(RenderFloor, HighlightsAreAddedUnlessTheReflectionIsLambert)
+{
+  const Words shiny = { "--color=0.2,0.4,0", "--specular=0.2,0,1" };
+  EXPECT_EQ(differenceFrom("0.4,0.4,1", shiny), kSame);
+  EXPECT_EQ(differenceFrom("0.4,0.4,1", { shiny[0], shiny[1], "--reflection=phong" }), kSame);
+  EXPECT_EQ(differenceFrom("0.2,0.4,0", { shiny[0], shiny[1], "--reflection=lambert" }), kSame);
+}
+
+TEST_F(RenderFloor, WarmAndCoolAreTheEndsOfTheTonesThemselves)
+{
+  const std::string warm = "--warm=0.8,0.4,0.2";
+  const std::string cool = "--cool=0,0.2,0.6";
+  const std::string dull = "--specular=0,0,0";
+  EXPECT_EQ(differenceFrom("0.8,0.4,0.2", { warm, cool, dull, "--tone=gooch" }), kSame);
+  EXPECT_EQ(differenceFrom("0,0.2,0.6", { warm, cool, dull, "--tone=gooch-chapter" }), kSame);
+  EXPECT_EQ(differenceFrom("1,0.4,0.6", { "--color=1,0,1", dull, "--tone=gooch" }), kSame);
+}
+
+TEST_F(Render, BackFacesOfAnOpenSheetCanBeLeftOut)
+{
+  const Words behind = { "--camera-position=0,-8,-8", "--camera-view-up=0,1,0" };
+  Words culled = behind;
+  culled.push_back("--backface-culling");
+  const Words inFront = { "--camera-position=0,8,8", "--camera-view-up=0,1,0" };
+  Words inFrontCulled = inFront;
+  inFrontCulled.push_back("--backface-culling");
+  const bool changesBehind = draw("sheet.off", behind) != draw("sheet.off", culled);
+  const bool changesInFront = draw("sheet.off", inFront) != draw("sheet.off", inFrontCulled);
+  EXPECT_NE(changesBehind, changesInFront) << "one side of the sheet is its back";
+}
+
+TEST_F(Render, ArraysGiveColour)
+{
+  const std::string plain = draw("waves.vtp");
+  const std::string viridis = draw("waves.vtp", { "--coloring-array=height" });
+  EXPECT_NE(viridis, plain);
+  EXPECT_EQ(draw("waves.vtp", { "--coloring-array=height", "--colormap=viridis" }), viridis);
+  for (const std::string map : { "cool-warm", "rainbow", "grayscale", "black-body" })
+  {
+    EXPECT_NE(draw("waves.vtp", { "--coloring-array=height", "--colormap=" + map }), viridis)
+      << map;
+  }
+  EXPECT_NE(draw("waves.vtp", { "--coloring-array=height", "--coloring-range=0,0.1" }), viridis);
+}
+
+TEST_F(Render, TheSameMeshInTwoFormatsIsOnePicture)
+{
+  EXPECT_EQ(draw("waves.vtp", { "--coloring-array=height" }),
+    draw("waves.vtk", { "--coloring-array=height" }));
+}
+
+TEST_F(Render, EveryFormatIsDrawn)
+{
+  std::map<std::string, std::string> meshOfPicture;
+  for (const std::string mesh : { "teapot.obj", "sphere.ply", "torus.off", "gear.stl", "knot.obj",
+         "sine.obj", "sheet.off", "waves.vtp" })
+  {
+    const auto [other, isNew] = meshOfPicture.emplace(draw(mesh), mesh);
+    EXPECT_TRUE(isNew) << mesh << " looks like " << other->second;
+  }
+}
+
+TEST_F(Render, ExtensionsMayBeInCapitals)
+{
+  const std::string capital = folder_.write("CUBE.OBJ", bytesOf(meshFile("cube.obj")));
+  const std::string expected = draw("cube.obj");
+  const Outcome outcome =
+    runLimn({ "render", capital, "--resolution=200,120", "--output=" + output_ });
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(bytesOf(output_), expected);
+}
+
+TEST_F(Render, ASecondMeshIsDrawnBesideTheFirst)
+{
+  const Words camera = { "--camera-position=0,0,12", "--camera-focal-point=0,0,0" };
+  Words both = camera;
+  both.insert(both.begin(), meshFile("torus.off"));
+  EXPECT_NE(draw("cube.obj", both), draw("cube.obj", camera));
+}
+
+TEST_F(Render, StatsAreOneLineOfJson)
+{
+  draw("cube.obj", { "--stats", "--threads=3" });
+  EXPECT_EQ(std::count(out_.begin(), out_.end(), '\n'), 1);
+  const nlohmann::json stats = nlohmann::json::parse(out_);
+  EXPECT_EQ(stats["triangles"], 12);
+  EXPECT_GE(stats["vertices"], 8);
+  EXPECT_GE(stats["clusters"], 1);
+  EXPECT_GT(stats["bytes"], 0);
+  EXPECT_EQ(stats["threads"], 3);
+  EXPECT_NE(stats["target"], "");
+  for (const std::string stage : { "read", "prepare", "bin", "tiles", "render", "write" })
+  {
+    EXPECT_GE(stats["ms"][stage], 0.0) << stage;
+  }
+  EXPECT_LE(stats["ms"]["tiles"], stats["ms"]["render"]);
+}
+
+TEST_F(Render, ReplacesAnOlderPicture)
+{
+  folder_.write("out.png", "older");
+  draw("cube.obj");
+  EXPECT_EQ(pngHeader(output_).width, 200);
+  EXPECT_EQ(folder_.names(), Words{ "out.png" });
+}
+
+TEST_F(Render, VersionAndHelpGoToStdout)
+{
+  const Outcome version = runLimn({ "--version" });
+  EXPECT_EQ(version.status, 0);
+  EXPECT_EQ(version.out.substr(0, 5), "limn ");
+  const Outcome help = runLimn({ "help" });
+  EXPECT_EQ(help.status, 0);
+  EXPECT_NE(help.out.find("limn render"), std::string::npos);
+  EXPECT_EQ(help.err, "");
+}
+
+} // namespace
+} // namespace limn::testing

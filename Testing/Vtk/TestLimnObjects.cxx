@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Every class as a VTK object: made, printed, copied.
+#include "Check.h"
+#include "Stage.h"
+
+#include "vtkLimnCamera.h"
+#include "vtkLimnCompositor.h"
+#include "vtkLimnEngine.h"
+#include "vtkLimnHardwareSelector.h"
+#include "vtkLimnProperty.h"
+#include "vtkLimnRenderWindowInteractor.h"
+#include "vtkLimnShaderProperty.h"
+#include "vtkLimnUniforms.h"
+
+#include "vtkMatrix4x4.h"
+
+#include <sstream>
+#include <string>
+
+namespace
+{
+template <class Object>
+void checkPrint(const char* name)
+{
+  vtkNew<Object> object;
+  std::ostringstream text;
+  object->Print(text);
+  CHECK(text.str().find(name) == 0);
+  CHECK(text.str().find("Reference Count: 1") != std::string::npos);
+  vtkSmartPointer<Object> other = vtkSmartPointer<Object>::Take(object->NewInstance());
+  CHECK_EQUAL(std::string(other->GetClassName()), name);
+}
+
+void checkActorCopy()
+{
+  Stage stage;
+  stage.Actor->SetPosition(1, 2, 3);
+  vtkNew<vtkLimnActor> copy;
+  copy->ShallowCopy(stage.Actor);
+  CHECK(copy->GetMapper() == stage.Mapper);
+  CHECK_EQUAL(copy->GetPosition()[2], 3.0);
+  CHECK(copy->GetShaderProperty() == stage.Actor->GetShaderProperty());
+  CHECK(vtkLimnProperty::SafeDownCast(copy->GetProperty()) != nullptr);
+}
+
+void checkPropertyCopy()
+{
+  vtkNew<vtkLimnProperty> property;
+  property->SetShadingFrequencyToGouraud();
+  property->SetReflectionModelToPhong();
+  property->SetToneToGooch();
+  property->SetCoolColor(0.1, 0.2, 0.3);
+  property->SetWarmColor(0.4, 0.5, 0.6);
+  property->SetCoolSurface(0.7);
+  property->SetWarmSurface(0.8);
+  property->SetOutlineToNormal();
+  property->SetOutlineThreshold(0.9);
+  property->SetOutlineColor(1, 0, 1);
+  property->SetAmbient(0.25);
+  vtkNew<vtkLimnProperty> copy;
+  copy->DeepCopy(property);
+  std::ostringstream original;
+  std::ostringstream copied;
+  vtkIndent indent;
+  property->PrintSelf(original, indent);
+  copy->PrintSelf(copied, indent);
+  const auto settings = [](const std::string& text) { return text.substr(text.find("Ambient")); };
+  CHECK_EQUAL(settings(copied.str()), settings(original.str()));
+  CHECK_EQUAL(std::string(copy->GetReflectionModelAsString()), "Phong");
+  CHECK_EQUAL(copy->GetOutlineThreshold(), 0.9);
+
+  property->SetShadingFrequency(99);
+  CHECK_EQUAL(property->GetShadingFrequency(), int(vtkLimnProperty::FREQUENCY_PHONG));
+  property->SetOutlineThreshold(-1);
+  CHECK_EQUAL(property->GetOutlineThreshold(), 0.0);
+  const vtkMTimeType time = property->GetMTime();
+  property->SetToneToGooch();
+  CHECK_EQUAL(property->GetMTime(), time);
+  property->SetToneToNone();
+  CHECK(property->GetMTime() > time);
+}
+
+void checkShaderProperty()
+{
+  vtkNew<vtkLimnShaderProperty> shaders;
+  shaders->AddVertexShaderReplacement("a", true, "b", false);
+  shaders->AddFragmentShaderReplacement("a", true, "c", false);
+  shaders->AddFragmentShaderReplacement("a", true, "d", true);
+  CHECK_EQUAL(shaders->GetNumberOfShaderReplacements(), 2);
+  CHECK_EQUAL(shaders->GetNthShaderReplacementTypeAsString(1), "Fragment");
+  std::string name;
+  std::string value;
+  bool first = false;
+  bool all = false;
+  shaders->GetNthShaderReplacement(1, name, first, value, all);
+  CHECK_EQUAL(name + value, "ad");
+  CHECK(first && all);
+  shaders->ClearFragmentShaderReplacement("a", false);
+  CHECK_EQUAL(shaders->GetNumberOfShaderReplacements(), 2);
+  shaders->ClearAllFragmentShaderReplacements();
+  CHECK_EQUAL(shaders->GetNumberOfShaderReplacements(), 1);
+  shaders->ClearAllShaderReplacements();
+  CHECK_EQUAL(shaders->GetNumberOfShaderReplacements(), 0);
+}
+
+void checkUniforms()
+{
+  vtkNew<vtkLimnUniforms> uniforms;
+  uniforms->SetUniformi("count", 7);
+  const float color[3] = { 0.1f, 0.2f, 0.3f };
+  uniforms->SetUniform3f("color", color);
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(1, 2, 5);
+  uniforms->SetUniformMatrix("matrix", matrix);
+  CHECK_EQUAL(uniforms->GetNumberOfUniforms(), 3);
+  CHECK_EQUAL(std::string(uniforms->GetNthUniformName(0)), "color");
+  int count = 0;
+  CHECK(uniforms->GetUniformi("count", count));
+  CHECK_EQUAL(count, 7);
+  float back[3] = {};
+  CHECK(uniforms->GetUniform3f("color", back));
+  CHECK_EQUAL(back[1], 0.2f);
+  CHECK(!uniforms->GetUniform3f("count", back));
+  vtkNew<vtkMatrix4x4> read;
+  CHECK(uniforms->GetUniformMatrix("matrix", read));
+  CHECK_EQUAL(read->GetElement(1, 2), 5.0);
+  CHECK_EQUAL(uniforms->GetUniformScalarType("count"), VTK_INT);
+  CHECK_EQUAL(uniforms->GetUniformNumberOfComponents("matrix"), 16);
+  CHECK_EQUAL(uniforms->GetUniformNumberOfTuples("matrix"), 1);
+  const vtkMTimeType listTime = uniforms->GetUniformListMTime();
+  uniforms->SetUniformi("count", 8);
+  CHECK_EQUAL(uniforms->GetUniformListMTime(), listTime);
+  uniforms->RemoveUniform("count");
+  CHECK(uniforms->GetUniformListMTime() > listTime);
+  CHECK(!uniforms->GetUniformi("count", count));
+}
+
+void checkEngine()
+{
+  CHECK_EQUAL(vtkLimnEngine::GetNumberOfThreads(), 0);
+  vtkLimnEngine::SetNumberOfThreads(3);
+  CHECK_EQUAL(vtkLimnEngine::GetNumberOfThreads(), 3);
+  CHECK(vtkLimnEngine::GetNumberOfAvailableInstructionSets() > 0);
+  const std::string best = vtkLimnEngine::GetAvailableInstructionSet(0);
+  CHECK_EQUAL(vtkLimnEngine::GetInstructionSet(), best);
+  CHECK(!vtkLimnEngine::SetInstructionSet("MMX"));
+  CHECK(vtkLimnEngine::SetInstructionSet(best));
+  CHECK_EQUAL(vtkLimnEngine::GetAvailableInstructionSet(99), "");
+  CHECK(!vtkLimnEngine::GetUseReference());
+}
+}
+
+int TestLimnObjects(int, char*[])
+{
+  checkPrint<vtkLimnActor>("vtkLimnActor");
+  checkPrint<vtkLimnCamera>("vtkLimnCamera");
+  checkPrint<vtkLimnEngine>("vtkLimnEngine");
+  checkPrint<vtkLimnHardwareSelector>("vtkLimnHardwareSelector");
+  checkPrint<vtkLimnPolyDataMapper>("vtkLimnPolyDataMapper");
+  checkPrint<vtkLimnProperty>("vtkLimnProperty");
+  checkPrint<vtkLimnRenderWindow>("vtkLimnRenderWindow");
+  checkPrint<vtkLimnRenderWindowInteractor>("vtkLimnRenderWindowInteractor");
+  checkPrint<vtkLimnRenderer>("vtkLimnRenderer");
+  checkPrint<vtkLimnShaderProperty>("vtkLimnShaderProperty");
+  checkPrint<vtkLimnUniforms>("vtkLimnUniforms");
+  checkActorCopy();
+  checkPropertyCopy();
+  checkShaderProperty();
+  checkUniforms();
+  checkEngine();
+  return result();
+}

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Which actors and cells are seen, through VTK's own pickers and selectors.
+#include "Check.h"
+#include "Messages.h"
+#include "Picture.h"
+#include "Stage.h"
+
+#include "vtkLimnHardwareSelector.h"
+
+#include "vtkAssemblyPath.h"
+#include "vtkCellPicker.h"
+#include "vtkDataObject.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkPropPicker.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+#include <map>
+#include <set>
+
+namespace
+{
+using Selected = std::map<vtkObjectBase*, std::set<vtkIdType>>;
+
+Selected select(Stage& stage, unsigned int x1, unsigned int y1, unsigned int x2, unsigned int y2)
+{
+  vtkNew<vtkLimnHardwareSelector> selector;
+  selector->SetRenderer(stage.Renderer);
+  selector->SetArea(x1, y1, x2, y2);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const auto selection = vtkSmartPointer<vtkSelection>::Take(selector->Select());
+  Selected selected;
+  for (unsigned int i = 0; selection && i < selection->GetNumberOfNodes(); ++i)
+  {
+    vtkSelectionNode* node = selection->GetNode(i);
+    auto* ids = vtkIdTypeArray::SafeDownCast(node->GetSelectionList());
+    for (vtkIdType j = 0; j < ids->GetNumberOfTuples(); ++j)
+    {
+      selected[node->GetProperties()->Get(vtkSelectionNode::PROP())].insert(ids->GetValue(j));
+    }
+  }
+  return selected;
+}
+}
+
+int TestLimnSelector(int, char*[])
+{
+  Stage stage;
+  stage.LookFlat();
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  vtkNew<vtkCellArray> lines;
+  addCell(lines, { 0, 1 });
+  data->SetLines(lines);
+  stage.Mapper->SetInputData(data);
+  vtkNew<vtkLimnActor> behind;
+  behind->SetMapper(stage.Mapper);
+  behind->SetPosition(0, 30, -0.5);
+  stage.Renderer->AddActor(behind);
+  const Picture before = render(stage.Window);
+
+  // Cell 0 is the line; the squares are 1 and 2.
+  const Selected all = select(stage, 0, 0, 99, 79);
+  CHECK(all == (Selected{ { stage.Actor, { 1, 2 } }, { behind, { 1, 2 } } }));
+  CHECK(select(stage, 15, 15, 20, 20) == (Selected{ { stage.Actor, { 1 } } }));
+  CHECK(
+    select(stage, 25, 25, 45, 45) == (Selected{ { stage.Actor, { 1, 2 } }, { behind, { 1, 2 } } }));
+  CHECK(select(stage, 0, 0, 5, 5).empty());
+  behind->PickableOff();
+  CHECK(select(stage, 0, 0, 99, 79) == (Selected{ { stage.Actor, { 1, 2 } } }));
+  CHECK(read(stage.Window) == before);
+
+  vtkNew<vtkPropPicker> propPicker;
+  CHECK(propPicker->PickProp(20, 20, stage.Renderer) != 0);
+  CHECK(propPicker->GetViewProp() == stage.Actor);
+  CHECK_EQUAL(propPicker->PickProp(2, 2, stage.Renderer), 0);
+  vtkNew<vtkCellPicker> cellPicker;
+  CHECK(cellPicker->Pick(50, 20, 0, stage.Renderer) != 0);
+  CHECK_EQUAL(cellPicker->GetCellId(), 2);
+
+  Messages messages;
+  vtkNew<vtkLimnHardwareSelector> points;
+  points->SetRenderer(stage.Renderer);
+  points->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_POINTS);
+  CHECK(points->Select() == nullptr);
+  CHECK_EQUAL(messages.Count("Points cannot be selected"), 1);
+  return result();
+}

@@ -1,0 +1,273 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// From cells and arrays of a vtkPolyData to pixels.
+#include "Check.h"
+#include "Picture.h"
+#include "Stage.h"
+
+#include "vtkLimnProperty.h"
+
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkLookupTable.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+namespace
+{
+const Pixel Black = { 0, 0, 0 };
+const Pixel White = { 255, 255, 255 };
+
+vtkSmartPointer<vtkUnsignedCharArray> rgbArray(std::initializer_list<Pixel> colors)
+{
+  auto array = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  array->SetNumberOfComponents(3);
+  for (const Pixel& color : colors)
+  {
+    array->InsertNextTuple3(color[0], color[1], color[2]);
+  }
+  return array;
+}
+
+vtkSmartPointer<vtkFloatArray> vectorArray(std::initializer_list<std::array<double, 3>> vectors)
+{
+  auto array = vtkSmartPointer<vtkFloatArray>::New();
+  array->SetNumberOfComponents(3);
+  for (const auto& v : vectors)
+  {
+    array->InsertNextTuple3(v[0], v[1], v[2]);
+  }
+  return array;
+}
+
+Picture draw(vtkPolyData* data, void (*arrange)(Stage&) = nullptr)
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(data);
+  if (arrange)
+  {
+    arrange(stage);
+  }
+  return render(stage.Window);
+}
+
+void checkPolygonsAndStrips()
+{
+  CHECK_EQUAL(draw(twoSquares()).CountOtherThan(Black), 800);
+
+  // The same squares as strips; all of their triangles face the eye.
+  vtkSmartPointer<vtkPolyData> strips = twoSquares();
+  strips->SetPolys(nullptr);
+  vtkNew<vtkCellArray> cells;
+  addCell(cells, { 0, 1, 3, 2 });
+  addCell(cells, { 4, 5, 7, 6 });
+  strips->SetStrips(cells);
+  const auto cullBack = [](Stage& stage) { stage.Actor->GetProperty()->BackfaceCullingOn(); };
+  const auto cullFront = [](Stage& stage) { stage.Actor->GetProperty()->FrontfaceCullingOn(); };
+  CHECK_EQUAL(draw(strips, cullBack).CountOtherThan(Black), 800);
+  CHECK_EQUAL(draw(strips, cullFront).CountOtherThan(Black), 0);
+
+  // A fan from the first point: of this dart only what the fan covers, as VTK does.
+  vtkNew<vtkPolyData> pentagon;
+  pentagon->SetPoints(flatPoints({ { 10, 10 }, { 50, 10 }, { 50, 30 }, { 30, 50 }, { 10, 30 } }));
+  vtkNew<vtkCellArray> one;
+  addCell(one, { 0, 1, 2, 3, 4 });
+  pentagon->SetPolys(one);
+  // 40 x 20 pixels, and a triangle of 40 x 20 / 2 whose edges run through pixel corners.
+  const int pixels = draw(pentagon).CountOtherThan(Black);
+  CHECK(std::abs(pixels - (800 + 400)) <= 20);
+}
+
+void checkPointTypes()
+{
+  const Picture expected = draw(twoSquares());
+  for (int type : { VTK_DOUBLE, VTK_INT, VTK_SHORT })
+  {
+    vtkSmartPointer<vtkPolyData> data = twoSquares();
+    vtkNew<vtkPoints> points;
+    points->SetDataType(type);
+    points->DeepCopy(data->GetPoints());
+    data->SetPoints(points);
+    CHECK(draw(data) == expected);
+  }
+  vtkSmartPointer<vtkPolyData> narrow = twoSquares();
+  narrow->GetPolys()->ConvertTo32BitStorage();
+  CHECK(draw(narrow) == expected);
+}
+
+// Of coplanar polygons the later one is seen.
+void checkOrder()
+{
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  data->GetPoints()->SetPoint(4, 10, 10, 0);
+  data->GetPoints()->SetPoint(5, 30, 10, 0);
+  data->GetPoints()->SetPoint(6, 30, 30, 0);
+  data->GetPoints()->SetPoint(7, 10, 30, 0);
+  data->GetCellData()->SetScalars(rgbArray({ { 255, 0, 0 }, { 0, 255, 0 } }));
+  const Picture picture = draw(data);
+  CHECK_EQUAL(picture.CountOtherThan(Black), 400);
+  CHECK_EQUAL(picture.At(20, 20), (Pixel{ 0, 255, 0 }));
+}
+
+void checkCellColors()
+{
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  data->GetCellData()->SetScalars(rgbArray({ { 255, 0, 0 }, { 10, 20, 30 } }));
+  Picture picture = draw(data);
+  CHECK_EQUAL(picture.At(20, 20), (Pixel{ 255, 0, 0 }));
+  CHECK_EQUAL(picture.At(50, 20), (Pixel{ 10, 20, 30 }));
+
+  // Vertices and lines come first in VTK's numbering, and a dropped triangle keeps its number.
+  vtkNew<vtkCellArray> vertices;
+  addCell(vertices, { 0 });
+  data->SetVerts(vertices);
+  vtkNew<vtkCellArray> polys;
+  addCell(polys, { 0, 0, 1 });
+  addCell(polys, { 0, 1, 2, 3 });
+  addCell(polys, { 4, 5, 6, 7 });
+  data->SetPolys(polys);
+  data->GetCellData()->SetScalars(
+    rgbArray({ { 1, 1, 1 }, { 2, 2, 2 }, { 255, 0, 0 }, { 10, 20, 30 } }));
+  picture = draw(data);
+  CHECK_EQUAL(picture.At(20, 20), (Pixel{ 255, 0, 0 }));
+  CHECK_EQUAL(picture.At(50, 20), (Pixel{ 10, 20, 30 }));
+}
+
+void checkPointColors()
+{
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  vtkNew<vtkFloatArray> values;
+  for (double value : { 0.0, 1.0, 1.0, 0.0, 0.5, 0.5, 0.5, 0.5 })
+  {
+    values->InsertNextValue(static_cast<float>(value));
+  }
+  data->GetPointData()->SetScalars(values);
+  const auto grey = [](Stage& stage)
+  {
+    vtkNew<vtkLookupTable> table;
+    table->SetNumberOfTableValues(256);
+    table->SetValueRange(0, 1);
+    table->SetSaturationRange(0, 0);
+    table->SetRampToLinear();
+    stage.Mapper->SetLookupTable(table);
+  };
+  const Picture picture = draw(data, grey);
+  for (int x = 10; x < 30; ++x)
+  {
+    const double expected = 255 * (x + 0.5 - 10) / 20;
+    CHECK(std::abs(picture.At(x, 20)[0] - expected) <= 1);
+  }
+  CHECK(std::abs(picture.At(50, 20)[1] - 128) <= 1);
+  const auto off = [](Stage& stage) { stage.Mapper->ScalarVisibilityOff(); };
+  CHECK_EQUAL(draw(data, off).At(20, 20), White);
+}
+
+void checkFieldColor()
+{
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  vtkSmartPointer<vtkUnsignedCharArray> colors = rgbArray({ { 1, 2, 3 }, { 40, 50, 60 } });
+  colors->SetName("colors");
+  data->GetFieldData()->AddArray(colors);
+  const auto useField = [](Stage& stage)
+  {
+    stage.Mapper->SetScalarModeToUseFieldData();
+    stage.Mapper->SelectColorArray("colors");
+    stage.Mapper->SetFieldDataTupleId(1);
+  };
+  const Picture picture = draw(data, useField);
+  CHECK_EQUAL(picture.At(20, 20), (Pixel{ 40, 50, 60 }));
+  CHECK_EQUAL(picture.At(50, 20), (Pixel{ 40, 50, 60 }));
+}
+
+// A headlight shows n.z: which normals are used can be read off.
+void checkNormals()
+{
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  const auto shadeWith = [&](void (*arrange)(Stage&))
+  {
+    Stage stage;
+    stage.LookFlat();
+    stage.Actor->GetProperty()->LightingOn();
+    stage.Mapper->SetInputData(data);
+    arrange(stage);
+    return render(stage.Window).At(20, 20)[0];
+  };
+  const auto smooth = [](Stage&) {};
+  const auto flat = [](Stage& stage) { stage.Actor->GetProperty()->SetInterpolationToFlat(); };
+  const auto chapterPhong = [](Stage& stage)
+  { vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty())->SetShadingFrequencyToPhong(); };
+  CHECK_EQUAL(shadeWith(smooth), 255);
+  data->GetCellData()->SetNormals(vectorArray({ { 0, 0.6, 0.8 }, { 0, 0, 1 } }));
+  CHECK_EQUAL(shadeWith(smooth), 204);
+  CHECK_EQUAL(shadeWith(flat), 204);
+  // The chapter's Phong interpolates normals of vertices, computed if there are none.
+  CHECK_EQUAL(shadeWith(chapterPhong), 255);
+  const std::array<double, 3> n = { 0.8, 0, 0.6 };
+  data->GetPointData()->SetNormals(vectorArray({ n, n, n, n, n, n, n, n }));
+  CHECK_EQUAL(shadeWith(smooth), 153);
+  CHECK_EQUAL(shadeWith(flat), 204);
+  CHECK_EQUAL(shadeWith(chapterPhong), 153);
+  // Arrays that do not fit are not normals.
+  data->GetPointData()->SetNormals(vectorArray({ n, n }));
+  CHECK_EQUAL(shadeWith(smooth), 204);
+}
+
+void checkStyles()
+{
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  const auto colorWith = [&](void (*arrange)(vtkLimnProperty*))
+  {
+    Stage stage;
+    stage.LookFlat();
+    stage.Mapper->SetInputData(data);
+    vtkLimnProperty* property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+    property->LightingOn();
+    property->SetColor(0.4, 0.4, 0.4);
+    arrange(property);
+    return render(stage.Window).At(20, 20);
+  };
+  // n = l = v = (0, 0, 1): all warm, (0.4, 0.4, 0) + 0.6 k_d, or all cool, (0, 0, 0.4) + 0.2 k_d.
+  CHECK_EQUAL(colorWith([](vtkLimnProperty* p) { p->SetToneToGooch(); }), (Pixel{ 163, 163, 61 }));
+  CHECK_EQUAL(
+    colorWith([](vtkLimnProperty* p) { p->SetToneToGoochChapter(); }), (Pixel{ 20, 20, 122 }));
+  const auto dim = [](vtkLimnProperty* p)
+  {
+    p->SetReflectionModelToNone();
+    p->SetAmbient(0.2);
+  };
+  // Unlit: k_a + k_d, 0.2 x 0.4 + 0.4.
+  CHECK_EQUAL(colorWith(dim), (Pixel{ 122, 122, 122 }));
+  const auto shiny = [](vtkLimnProperty* p)
+  {
+    p->SetReflectionModelToBlinnPhong();
+    p->SetSpecular(0.4);
+    p->SetSpecularPower(10);
+  };
+  // n.h = 1: k_d + k_s; SetColor() set the colour of highlights, too.
+  CHECK_EQUAL(colorWith(shiny), (Pixel{ 143, 143, 143 }));
+  const auto outlined = [](vtkLimnProperty* p)
+  {
+    p->SetOutlineToNormal();
+    p->SetOutlineThreshold(1.0);
+    p->SetOutlineColor(0, 1, 0);
+  };
+  // Only where |n.v| is below the threshold, and here it is 1.
+  CHECK_EQUAL(colorWith(outlined), (Pixel{ 102, 102, 102 }));
+}
+}
+
+int TestLimnSurfaces(int, char*[])
+{
+  checkPolygonsAndStrips();
+  checkPointTypes();
+  checkOrder();
+  checkCellColors();
+  checkPointColors();
+  checkFieldColor();
+  checkNormals();
+  checkStyles();
+  return result();
+}

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// What cannot be drawn is named, once, and the rest is drawn.
+#include "Check.h"
+#include "Messages.h"
+#include "Picture.h"
+#include "Stage.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+#include "vtkPlane.h"
+#include "vtkPropCollection.h"
+#include "vtkTextActor.h"
+#include "vtkTexture.h"
+
+#include <limits>
+
+namespace
+{
+const Pixel Black = { 0, 0, 0 };
+
+struct Case
+{
+  const char* Feature;
+  bool IsDrawn;
+  void (*Ask)(Stage&);
+};
+
+const Case Cases[] = {
+  { "translucent surfaces", false,
+    [](Stage& stage) { stage.Actor->GetProperty()->SetOpacity(0.5); } },
+  { "wireframes", false,
+    [](Stage& stage) { stage.Actor->GetProperty()->SetRepresentationToWireframe(); } },
+  { "surfaces as points", false,
+    [](Stage& stage) { stage.Actor->GetProperty()->SetRepresentationToPoints(); } },
+  { "clipping planes", false,
+    [](Stage& stage)
+    {
+      vtkNew<vtkPlane> plane;
+      stage.Mapper->AddClippingPlane(plane);
+    } },
+  { "vertex cells", true,
+    [](Stage& stage)
+    {
+      vtkNew<vtkCellArray> cells;
+      addCell(cells, { 0 });
+      stage.Mapper->GetInput()->SetVerts(cells);
+    } },
+  { "line cells", true,
+    [](Stage& stage)
+    {
+      vtkNew<vtkCellArray> cells;
+      addCell(cells, { 0, 1 });
+      stage.Mapper->GetInput()->SetLines(cells);
+    } },
+  { "edges on surfaces", true,
+    [](Stage& stage) { stage.Actor->GetProperty()->EdgeVisibilityOn(); } },
+  { "textures", true,
+    [](Stage& stage)
+    {
+      vtkNew<vtkTexture> texture;
+      vtkNew<vtkImageData> image;
+      image->SetDimensions(2, 2, 1);
+      image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+      texture->SetInputData(image);
+      stage.Actor->SetTexture(texture);
+    } },
+  { "back face properties", true,
+    [](Stage& stage)
+    {
+      vtkNew<vtkProperty> property;
+      stage.Actor->SetBackfaceProperty(property);
+    } },
+  { "physically based materials", true,
+    [](Stage& stage) { stage.Actor->GetProperty()->SetInterpolationToPBR(); } },
+};
+
+void checkFeatures()
+{
+  for (const Case& one : Cases)
+  {
+    Stage stage;
+    stage.LookFlat();
+    stage.Mapper->SetInputData(twoSquares());
+    one.Ask(stage);
+    Messages messages;
+    const int pixels = render(stage.Window).CountOtherThan(Black);
+    CHECK_EQUAL(pixels, one.IsDrawn ? 800 : 0);
+    CHECK_EQUAL(messages.Count(std::string("A vtkLimnActor asks for ") + one.Feature), 1);
+    CHECK_EQUAL(messages.Count("WARN") + messages.Count("Warning"), 1);
+    stage.Renderer->GetActiveCamera()->Modified();
+    render(stage.Window);
+    CHECK_EQUAL(messages.Count("asks for"), 1);
+  }
+}
+
+void checkOtherProps()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(twoSquares());
+  vtkNew<vtkTextActor> text;
+  text->SetInput("not drawn");
+  stage.Renderer->AddViewProp(text);
+  Messages messages;
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 800);
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 800);
+  CHECK_EQUAL(messages.Count("A vtkTextActor is not drawn"), 1);
+  CHECK_EQUAL(messages.Count("2D props"), 1);
+}
+
+void checkBrokenMeshes()
+{
+  Stage stage;
+  stage.LookFlat();
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  data->GetPoints()->SetPoint(6, std::numeric_limits<double>::quiet_NaN(), 0, 0);
+  vtkNew<vtkCellArray> polys;
+  polys->DeepCopy(data->GetPolys());
+  addCell(polys, { 0, 1, 8 });
+  addCell(polys, { 0, 1, -1 });
+  addCell(polys, { 0, 1, 3000000000 });
+  data->SetPolys(polys);
+  stage.Mapper->SetInputData(data);
+  Messages messages;
+  // Point 6 is in both triangles of the second square.
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 400);
+  CHECK_EQUAL(messages.Count("2 triangles use a point with a coordinate"), 1);
+  CHECK_EQUAL(messages.Count("3 triangles name a point that does not exist"), 1);
+  stage.Renderer->GetActiveCamera()->Zoom(0.9);
+  render(stage.Window);
+  CHECK_EQUAL(messages.Count("Not all of the input is drawn"), 1);
+  data->GetPoints()->Modified();
+  render(stage.Window);
+  CHECK_EQUAL(messages.Count("Not all of the input is drawn"), 2);
+}
+
+// One actor's fault does not take the others from the picture.
+void checkBrokenActor()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(twoSquares());
+  vtkNew<vtkMatrix4x4> matrix;
+  matrix->SetElement(0, 3, std::numeric_limits<double>::infinity());
+  vtkNew<vtkLimnActor> broken;
+  broken->SetMapper(stage.Mapper);
+  broken->SetUserMatrix(matrix);
+  stage.Renderer->AddActor(broken);
+  Messages messages;
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 800);
+  CHECK_EQUAL(messages.Count("its matrix has a value that is not a finite number"), 1);
+  CHECK_EQUAL(messages.Count("vtkLimnActor"), 1);
+}
+
+void checkMissingInput()
+{
+  Stage stage;
+  Messages messages;
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 0);
+  vtkNew<vtkPolyData> empty;
+  stage.Mapper->SetInputData(empty);
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 0);
+  CHECK_EQUAL(messages.GetText(), "");
+}
+
+void checkBrokenLight()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(twoSquares());
+  vtkNew<vtkLight> light;
+  light->SetIntensity(std::numeric_limits<double>::quiet_NaN());
+  stage.Renderer->AddLight(light);
+  Messages messages;
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 0);
+  CHECK_EQUAL(messages.Count("Light 0 has a value that is not a finite number"), 1);
+}
+}
+
+int TestLimnWarnings(int, char*[])
+{
+  checkFeatures();
+  checkOtherProps();
+  checkBrokenMeshes();
+  checkBrokenActor();
+  checkMissingInput();
+  checkBrokenLight();
+  return result();
+}

@@ -1,0 +1,330 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Limn's actors in OpenGL windows, beside OpenGL's, against the same scenes drawn wholly by OpenGL.
+#include "GLScene.h"
+#include "Looks.h"
+#include "SelectedIds.h"
+
+#include "vtkLimnActor.h"
+#include "vtkLimnPolyDataMapper.h"
+#include "vtkLimnProperty.h"
+
+#include "vtkCellPicker.h"
+#include "vtkConeSource.h"
+#include "vtkSphereSource.h"
+#include "vtkTrivialProducer.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <tuple>
+
+namespace
+{
+vtkSmartPointer<vtkActor> MakeLimnActor(vtkAlgorithmOutput* source)
+{
+  vtkNew<vtkLimnPolyDataMapper> mapper;
+  mapper->SetInputConnection(source);
+  vtkNew<vtkLimnProperty> property;
+  vtkSmartPointer<vtkActor> actor = vtkSmartPointer<vtkLimnActor>::New();
+  actor->SetMapper(mapper);
+  actor->SetProperty(property);
+  return actor;
+}
+
+using MakeActor = vtkSmartPointer<vtkActor> (*)(vtkAlgorithmOutput*);
+
+vtkSmartPointer<vtkActor> MakeSphere(MakeActor make)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.7);
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  vtkSmartPointer<vtkActor> actor = make(sphere->GetOutputPort());
+  actor->GetProperty()->SetColor(0.9, 0.7, 0.3);
+  return actor;
+}
+
+/// A wall behind the others.
+vtkSmartPointer<vtkActor> MakeWall(MakeActor make)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.9, -0.9, -0.8);
+  plane->SetPoint1(0.9, -0.8, -0.8);
+  plane->SetPoint2(-0.8, 0.9, -0.8);
+  vtkSmartPointer<vtkActor> actor = make(plane->GetOutputPort());
+  actor->GetProperty()->SetColor(0.9, 0.9, 1.0);
+  return actor;
+}
+
+/// A cone that goes through the sphere.
+vtkSmartPointer<vtkActor> MakeCone(MakeActor make)
+{
+  vtkNew<vtkConeSource> cone;
+  cone->SetResolution(30);
+  cone->SetHeight(2.0);
+  cone->SetRadius(0.5);
+  cone->SetDirection(1.0, 0.4, 0.6);
+  vtkSmartPointer<vtkActor> actor = make(cone->GetOutputPort());
+  actor->GetProperty()->SetColor(0.2, 0.7, 0.4);
+  return actor;
+}
+
+/// The share of pixels with a channel that differs by more than `tolerance`, in percent.
+double PercentDifferent(const Picture& a, const Picture& b, int tolerance)
+{
+  return 100.0 * CountDifferent(a, b, tolerance) / (a.Width * a.Height);
+}
+
+/// One sample per pixel: the same pixels are covered. Both light in single precision, in another
+/// order of operations, so a channel that falls on the border of two levels may take either.
+void ExpectAlikeButRounding(const Picture& expected, const Picture& picture)
+{
+  EXPECT_EQ(CountDifferent(expected, picture, 1), 0);
+  EXPECT_LT(PercentDifferent(expected, picture, 0), 0.5);
+}
+
+/// Several samples per pixel: the same samples are covered. In a pixel of several triangles OpenGL
+/// lights each at the pixel's centre, even outside the triangle, and averages bytes; that differs
+/// by a few levels along the edges of the mesh. A layer has one depth per pixel, so where surfaces
+/// cross, and only there, the samples of a pixel are not told apart.
+void ExpectAlikeButCrossings(const Picture& expected, const Picture& picture)
+{
+  EXPECT_LT(PercentDifferent(expected, picture, 3), 2.0);
+  EXPECT_LT(PercentDifferent(expected, picture, 8), 0.3);
+}
+} // namespace
+
+class SceneTest : public testing::TestWithParam<int>
+{
+protected:
+  GLScene Wholly{ GetParam() };
+  GLScene Mixed{ GetParam() };
+
+  void ExpectScenesAlike()
+  {
+    const Picture expected = this->Wholly.Render();
+    const Picture mixed = this->Mixed.Render();
+    if (GetParam() == 0)
+    {
+      ExpectAlikeButRounding(expected, mixed);
+    }
+    else
+    {
+      ExpectAlikeButCrossings(expected, mixed);
+    }
+    RecordProperty("moreThan0", CountDifferent(expected, mixed));
+    RecordProperty("moreThan8", CountDifferent(expected, mixed, 8));
+  }
+};
+
+TEST_P(SceneTest, AloneLooksAsInOpenGL)
+{
+  this->Wholly.Renderer->AddActor(MakeSphere(MakeGLActor));
+  this->Mixed.Renderer->AddActor(MakeSphere(MakeLimnActor));
+  this->ExpectScenesAlike();
+}
+
+TEST_P(SceneTest, IntersectsOpenGLsActors)
+{
+  this->Wholly.Renderer->AddActor(MakeSphere(MakeGLActor));
+  this->Wholly.Renderer->AddActor(MakeCone(MakeGLActor));
+  this->Mixed.Renderer->AddActor(MakeSphere(MakeLimnActor));
+  this->Mixed.Renderer->AddActor(MakeCone(MakeGLActor));
+  this->ExpectScenesAlike();
+}
+
+TEST_P(SceneTest, SeveralActorsIntersectEachOther)
+{
+  for (GLScene* scene : { &this->Wholly, &this->Mixed })
+  {
+    MakeActor make = scene == &this->Wholly ? MakeGLActor : MakeLimnActor;
+    scene->Renderer->AddActor(MakeCone(make));
+    scene->Renderer->AddActor(MakeWall(MakeGLActor));
+    scene->Renderer->AddActor(MakeSphere(make));
+  }
+  this->ExpectScenesAlike();
+}
+
+// What OpenGL draws later behind an edge has to show in the edge's pixels, and nothing of the
+// background: else a fringe runs along the edge.
+TEST_P(SceneTest, EdgesBlendWithWhatIsDrawnLater)
+{
+  for (GLScene* scene : { &this->Wholly, &this->Mixed })
+  {
+    scene->Renderer->SetBackground(0.0, 0.0, 0.0);
+    scene->Renderer->AddActor(MakeSphere(scene == &this->Wholly ? MakeGLActor : MakeLimnActor));
+    scene->Renderer->AddActor(MakeWall(MakeGLActor));
+  }
+  this->ExpectScenesAlike();
+  EXPECT_EQ(CountDifferent(this->Wholly.Read(), this->Mixed.Read(), 32), 0) << "a fringe";
+}
+
+// The depth test decides, not the order in which the props were added.
+TEST_P(SceneTest, DoesNotDependOnTheOrderOfProps)
+{
+  this->Wholly.Renderer->AddActor(MakeSphere(MakeLimnActor));
+  this->Wholly.Renderer->AddActor(MakeCone(MakeGLActor));
+  this->Wholly.Renderer->AddActor(MakeWall(MakeGLActor));
+  this->Mixed.Renderer->AddActor(MakeWall(MakeGLActor));
+  this->Mixed.Renderer->AddActor(MakeCone(MakeGLActor));
+  this->Mixed.Renderer->AddActor(MakeSphere(MakeLimnActor));
+  EXPECT_EQ(CountDifferent(this->Wholly.Render(), this->Mixed.Render()), 0);
+}
+
+TEST_P(SceneTest, FollowsTheWindowsSize)
+{
+  this->Wholly.Renderer->AddActor(MakeSphere(MakeGLActor));
+  this->Wholly.Renderer->AddActor(MakeCone(MakeGLActor));
+  this->Mixed.Renderer->AddActor(MakeSphere(MakeLimnActor));
+  this->Mixed.Renderer->AddActor(MakeCone(MakeGLActor));
+  const int sizes[3][2] = { { 200, 160 }, { 333, 222 }, { 90, 120 } };
+  for (const auto& size : sizes)
+  {
+    this->Wholly.Window->SetSize(size[0], size[1]);
+    this->Mixed.Window->SetSize(size[0], size[1]);
+    this->ExpectScenesAlike();
+  }
+}
+
+TEST_P(SceneTest, KeepsViewportsAndLayersApart)
+{
+  for (GLScene* scene : { &this->Wholly, &this->Mixed })
+  {
+    MakeActor make = scene == &this->Wholly ? MakeGLActor : MakeLimnActor;
+    scene->Window->SetNumberOfLayers(2);
+    scene->Renderer->SetViewport(0.0, 0.0, 0.55, 1.0);
+    scene->Renderer->AddActor(MakeSphere(make));
+    scene->Renderer->AddActor(MakeCone(MakeGLActor));
+    vtkNew<vtkRenderer> beside;
+    beside->SetViewport(0.55, 0.2, 1.0, 1.0);
+    beside->AddActor(MakeCone(make));
+    vtkNew<vtkRenderer> above;
+    above->SetViewport(0.2, 0.0, 0.8, 0.6);
+    above->SetLayer(1);
+    above->AddActor(MakeSphere(make));
+    for (vtkRenderer* renderer : { beside.Get(), above.Get() })
+    {
+      GLScene::SetUpCamera(renderer);
+      scene->Window->AddRenderer(renderer);
+    }
+  }
+  this->ExpectScenesAlike();
+}
+INSTANTIATE_TEST_SUITE_P(MultiSamples, SceneTest, testing::Values(0, 4));
+
+class FallbackTest : public testing::TestWithParam<std::tuple<Look, int>>
+{
+};
+
+// What Limn does not draw is drawn by VTK's own classes: the same bytes.
+TEST_P(FallbackTest, EqualsVtkByteForByte)
+{
+  vtkNew<vtkTrivialProducer> source;
+  source->SetOutput(MakeQuads());
+  Picture pictures[2];
+  for (int limn = 0; limn < 2; ++limn)
+  {
+    GLScene scene(std::get<1>(GetParam()));
+    vtkSmartPointer<vtkActor> actor =
+      limn ? MakeLimnActor(source->GetOutputPort()) : MakeGLActor(source->GetOutputPort());
+    std::get<0>(GetParam()).Apply(actor);
+    scene.Renderer->AddActor(actor);
+    pictures[limn] = scene.Render();
+  }
+  EXPECT_EQ(CountDifferent(pictures[0], pictures[1]), 0);
+}
+INSTANTIATE_TEST_SUITE_P(LooksThatLimnLeavesToVtk, FallbackTest,
+  testing::Combine(testing::ValuesIn(Looks + 1, std::end(Looks)), testing::Values(0, 4)),
+  [](const auto& test)
+  {
+    return std::string(std::get<0>(test.param).Name) + "With" +
+           std::to_string(std::get<1>(test.param)) + "Samples";
+  });
+
+// From Limn to VTK and back while the window lives.
+TEST(LimnInGLWindow, ChangesBetweenLimnAndFallback)
+{
+  GLScene scene(0);
+  vtkSmartPointer<vtkActor> actor = MakeSphere(MakeLimnActor);
+  scene.Renderer->AddActor(actor);
+  const Picture before = scene.Render();
+  actor->GetProperty()->SetOpacity(0.5);
+  EXPECT_GT(CountDifferent(before, scene.Render(), 20), 1000);
+  actor->GetProperty()->SetOpacity(1.0);
+  EXPECT_EQ(CountDifferent(before, scene.Render()), 0);
+}
+
+// A frame from another side draws from what the first one prepared.
+TEST(LimnInGLWindow, PreparesGeometryOnce)
+{
+  GLScene scene(4);
+  vtkSmartPointer<vtkActor> actor = MakeSphere(MakeLimnActor);
+  scene.Renderer->AddActor(actor);
+  const Picture first = scene.Render();
+  auto* mapper = vtkLimnPolyDataMapper::SafeDownCast(actor->GetMapper());
+  const vtkIdType builds = mapper->GetNumberOfGeometryBuilds();
+  EXPECT_GT(builds, 0);
+  scene.Renderer->GetActiveCamera()->Azimuth(30.0);
+  EXPECT_GT(CountDifferent(first, scene.Render()), 500);
+  EXPECT_EQ(mapper->GetNumberOfGeometryBuilds(), builds);
+}
+
+// Culling is set up around each actor; one that is culled must not cost another its picture.
+TEST(LimnInGLWindow, CullsAsOpenGLDoes)
+{
+  Picture pictures[2];
+  for (int limn = 0; limn < 2; ++limn)
+  {
+    MakeActor make = limn ? MakeLimnActor : MakeGLActor;
+    GLScene scene(0);
+    vtkSmartPointer<vtkActor> hollow = MakeSphere(make);
+    hollow->GetProperty()->FrontfaceCullingOn();
+    scene.Renderer->AddActor(hollow);
+    vtkSmartPointer<vtkActor> cone = MakeCone(make);
+    cone->GetProperty()->BackfaceCullingOn();
+    scene.Renderer->AddActor(cone);
+    pictures[limn] = scene.Render();
+  }
+  ExpectAlikeButRounding(pictures[0], pictures[1]);
+}
+
+TEST(LimnInGLWindow, AnswersHardwareSelectors)
+{
+  GLScene scene(0);
+  vtkSmartPointer<vtkActor> sphere = MakeSphere(MakeLimnActor);
+  vtkSmartPointer<vtkActor> cone = MakeCone(MakeGLActor);
+  scene.Renderer->AddActor(sphere);
+  scene.Renderer->AddActor(cone);
+  GLScene expected(0);
+  vtkSmartPointer<vtkActor> expectedSphere = MakeSphere(MakeGLActor);
+  vtkSmartPointer<vtkActor> expectedCone = MakeCone(MakeGLActor);
+  expected.Renderer->AddActor(expectedSphere);
+  expected.Renderer->AddActor(expectedCone);
+  for (int association :
+    { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
+  {
+    const Picture before = scene.Render();
+    expected.Render();
+    SelectedIds selected = Select(scene, association);
+    SelectedIds expectedIds = Select(expected, association);
+    EXPECT_GT(expectedIds[expectedSphere].size(), 100u);
+    EXPECT_EQ(selected[sphere], expectedIds[expectedSphere]);
+    EXPECT_EQ(selected[cone], expectedIds[expectedCone]);
+    EXPECT_EQ(CountDifferent(before, scene.Render()), 0) << "a selection leaves no trace";
+  }
+}
+
+TEST(LimnInGLWindow, AnswersCellPickers)
+{
+  GLScene scene(0);
+  vtkSmartPointer<vtkActor> sphere = MakeSphere(MakeLimnActor);
+  scene.Renderer->AddActor(sphere);
+  scene.Render();
+  vtkNew<vtkCellPicker> picker;
+  ASSERT_TRUE(picker->Pick(100, 80, 0, scene.Renderer));
+  EXPECT_EQ(picker->GetActor(), sphere);
+  EXPECT_NEAR(picker->GetPickPosition()[2], 0.7, 0.01);
+  EXPECT_FALSE(picker->Pick(5, 5, 0, scene.Renderer));
+}
