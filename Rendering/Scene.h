@@ -106,7 +106,7 @@ struct Attributes {
   Span<const Rgba8> cellColors;
   Span<const Vec3f> faceCentroids, faceNormals;  ///< FaceGeometry, per cell
   Span<const std::uint32_t> cells;  ///< cell of each triangle; empty: triangle t is cell t
-  std::size_t cellCount = 0;        ///< with `cells`: one more than the largest cell
+  std::size_t cellCount = 0;        ///< with `cells`: required to be above every one of them
 };
 
 /// One mesh in the world. Draw order is the order in Scene::instances, then of the triangles.
