@@ -104,7 +104,8 @@ struct Attributes {
   /// Alpha is not read.
   Span<const Rgba8> vertexColors;
   Span<const Rgba8> cellColors;
-  Span<const Vec3f> faceCentroids, faceNormals;  ///< FaceGeometry, per cell
+  Span<const Vec3d> faceCentroids;  ///< FaceGeometry, per cell
+  Span<const Vec3f> faceNormals;    ///< FaceGeometry, per cell
   Span<const std::uint32_t> cells;  ///< cell of each triangle; empty: triangle t is cell t
   std::size_t cellCount = 0;        ///< with `cells`: required to be above every one of them
 };

@@ -48,7 +48,7 @@ FaceGeometry faceGeometry(const MeshView& mesh, Span<const std::uint32_t> cells,
     const Vec3d centroid = face.area > 0          ? face.moment * (1.0 / face.area)
                            : face.cornerCount > 0 ? face.corners * (1.0 / face.cornerCount)
                                                   : Vec3d{0, 0, 0};
-    faces.centroid.push_back(vec3Cast<float>(centroid));
+    faces.centroid.push_back(origin + centroid);
     faces.normal.push_back(vec3Cast<float>(normalized(face.twiceArea)));
   }
   return faces;

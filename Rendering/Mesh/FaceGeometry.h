@@ -12,7 +12,7 @@ namespace limn {
 /// Where flat shading lights a face (DESIGN: one evaluation at the centroid with the face normal).
 /// A face is a cell: all triangles that one polygon was cut into share one entry.
 struct FaceGeometry {
-  std::vector<Vec3f> centroid;  ///< area-weighted, in local coordinates (Mesh/LocalPosition.h)
+  std::vector<Vec3d> centroid;  ///< area-weighted, in model coordinates
   std::vector<Vec3f> normal;    ///< unit, outward by the winding; zero for faces without area
 };
 

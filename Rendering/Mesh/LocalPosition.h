@@ -12,6 +12,19 @@ struct LocalPosition {
   Vec3f high, low;
 };
 
+/// high + low, without rounding.
+inline Vec3d exact(LocalPosition p)
+{
+  return vec3Cast<double>(p.high) + vec3Cast<double>(p.low);
+}
+
+/// The normal of triangle a, b, c: counter-clockwise seen from outside, length twice the area. The
+/// edges are rounded to float, not the corners, so that a small triangle far out keeps its normal.
+inline Vec3f triangleNormal(LocalPosition a, LocalPosition b, LocalPosition c)
+{
+  return cross(vec3Cast<float>(exact(b) - exact(a)), vec3Cast<float>(exact(c) - exact(a)));
+}
+
 /// An axis-aligned box; empty while low.x > high.x.
 struct Box {
   Vec3d low = {1, 1, 1}, high = {-1, -1, -1};

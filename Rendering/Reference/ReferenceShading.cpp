@@ -162,15 +162,15 @@ class Face {
   {
   }
 
-  Vec3f corner(int i) const
+  LocalPosition corner(int i) const
   {
-    return toLocal(instance_.mesh.position(triangle_.vertex[i]), origin_).high;
+    return toLocal(instance_.mesh.position(triangle_.vertex[i]), origin_);
   }
+  Vec3f cornerPosition(int i) const { return viewPosition(transform_, corner(i)); }
   Vec3f vertexNormal(int i) const
   {
     return instance_.attributes.vertexNormals[triangle_.vertex[i]];
   }
-  Vec3f position(Vec3f local) const { return transformPoint(transform_.toView, local); }
   Vec3f facing(Vec3f localNormal) const
   {
     const Vec3f n = normalized(transformDirection(transform_.normalToView, localNormal));
@@ -186,7 +186,7 @@ class Face {
       case NormalSource::kCell:
         return facing(instance_.attributes.cellNormals[cell_]);
       default:
-        return facing(cross(corner(1) - corner(0), corner(2) - corner(0)));
+        return facing(triangleNormal(corner(0), corner(1), corner(2)));
     }
   }
   /// Normal of one corner, for Gouraud's vertex colours.
@@ -195,8 +195,19 @@ class Face {
     return instance_.style.normals == NormalSource::kVertex ? facing(vertexNormal(i))
                                                             : pixelNormal();
   }
-  Vec3f pixelPosition() const { return position(mix(point_, corner(0), corner(1), corner(2))); }
-  Vec3f facePosition() const { return position(instance_.attributes.faceCentroids[cell_]); }
+  /// Mixed before the transform or, where a float would not hold a local position, after it.
+  Vec3f pixelPosition() const
+  {
+    return transform_.hasLowParts
+               ? mix(point_, cornerPosition(0), cornerPosition(1), cornerPosition(2))
+               : viewPosition(
+                     transform_,
+                     {mix(point_, corner(0).high, corner(1).high, corner(2).high), {0, 0, 0}});
+  }
+  Vec3f facePosition() const
+  {
+    return viewPosition(transform_, toLocal(instance_.attributes.faceCentroids[cell_], origin_));
+  }
   Vec3f faceNormal() const { return facing(instance_.attributes.faceNormals[cell_]); }
 
   /// Reflectances with the data's colour, if there is one, in place of the material's.
@@ -264,7 +275,7 @@ Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransfor
   if (style.frequency == ShadingFrequency::kGouraud) {
     Vec3f color[3];
     for (int i = 0; i < 3; ++i)
-      color[i] = face.light(face.position(face.corner(i)), face.cornerNormal(i),
+      color[i] = face.light(face.cornerPosition(i), face.cornerNormal(i),
                             colored ? face.cornerColor(i) : Vec3f{}, lights);
     return mix(point, color[0], color[1], color[2]);
   }

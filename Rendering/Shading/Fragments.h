@@ -39,12 +39,13 @@ struct alignas(64) FragmentBatch {
   float share[3][kCapacity];   ///< per corner: edge value times 1/w, not yet divided by the sum
   float weight[3][kCapacity];  ///< per corner: (12.4)
   float side[kCapacity];       ///< 1 seen from outside, -1 from inside
-  Vectors corner[3];           ///< local positions
-  Vectors cornerNormal[3];     ///< local; [0] alone for normals of a cell or triangle
+  Vectors corner[3];           ///< local positions; in view space if the mesh has low parts
+  Vectors cornerNormal[3];     ///< local; [0] alone for a cell, or a triangle with low parts
   Vectors cornerColor[3];      ///< 0 ... 255; [0] alone for colours of a cell
-  Vectors faceCentroid, faceNormal;  ///< local; for flat frequency
-  Vectors color;                     ///< the result, before clamping
-  int count = 0;                     ///< last, so that every array starts at a multiple of 64 bytes
+  Vectors facePosition;        ///< centroid in view space; for flat frequency
+  Vectors faceNormal;          ///< local; for flat frequency
+  Vectors color;               ///< the result, before clamping
+  int count = 0;               ///< last, so that every array starts at a multiple of 64 bytes
 };
 
 /// Colours of the fragments of one tile, in the order of `fragments`; alpha 255.

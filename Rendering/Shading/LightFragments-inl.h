@@ -296,10 +296,12 @@ class FragmentLanes {
     return add(add(mul(a, weight(0)), mul(b, weight(1))), mul(c, weight(2)));
   }
   HWY_INLINE Lanes3 corner(int k) const { return load(batch_.corner[k], i_); }
+  /// A mixture of corners in view space.
   HWY_INLINE Lanes3 position(Lanes3 p) const
   {
+    if (transform_.hasLowParts) return p;
     const auto row = [&](int r) HWY_ATTR {
-      const float* m = transform_.toView.m[r];
+      const float* m = transform_.toViewFloat.m[r];
       return hn::Add(hn::Add(hn::Mul(set(m[0]), p.x), hn::Mul(set(m[1]), p.y)),
                      hn::Add(hn::Mul(set(m[2]), p.z), set(m[3])));
     };
@@ -323,6 +325,7 @@ class FragmentLanes {
       case NormalSource::kCell:
         return facing(normal(0));
       default:
+        if (transform_.hasLowParts) return facing(normal(0));
         return facing(cross(sub(corner(1), corner(0)), sub(corner(2), corner(0))));
     }
   }
@@ -330,7 +333,7 @@ class FragmentLanes {
   {
     return instance_.style.normals == NormalSource::kVertex ? facing(normal(k)) : pixelNormal();
   }
-  Lanes3 facePosition() const { return position(load(batch_.faceCentroid, i_)); }
+  Lanes3 facePosition() const { return load(batch_.facePosition, i_); }
   Lanes3 faceNormal() const { return facing(load(batch_.faceNormal, i_)); }
 
   Lanes3 pixelColor() const

@@ -153,12 +153,16 @@ void FragmentShader::fill(const PlacedCluster& cluster, const Fragment& fragment
   const std::uint32_t cell = data.cells.empty() ? triangle : data.cells[triangle];
   const bool flat = style.frequency == ShadingFrequency::kFlat;
 
-  batch_.side[i] = corners.clockwise != cluster.placed->transform.mirrored ? -1.0f : 1.0f;
+  const InstanceTransform& transform = cluster.placed->transform;
+  batch_.side[i] = corners.clockwise != transform.mirrored ? -1.0f : 1.0f;
+  LocalPosition position[3];
   for (int k = 0; k < 3; ++k) {
     const std::uint32_t local = cluster.corner(t, k);
     const std::uint32_t vertex = cluster.mesh().vertex[cluster.cluster->firstVertex + local];
     batch_.share[k][i] = corners.share[k];
-    batch_.corner[k].set(i, cluster.position(local).high);
+    position[k] = cluster.position(local);
+    batch_.corner[k].set(
+        i, transform.hasLowParts ? viewPosition(transform, position[k]) : position[k].high);
     if (!flat && style.normals == NormalSource::kVertex)
       batch_.cornerNormal[k].set(i, data.vertexNormals[vertex]);
     if (!data.vertexColors.empty()) batch_.cornerColor[k].set(i, bytes(data.vertexColors[vertex]));
@@ -166,10 +170,13 @@ void FragmentShader::fill(const PlacedCluster& cluster, const Fragment& fragment
   if (data.vertexColors.empty() && !data.cellColors.empty())
     batch_.cornerColor[0].set(i, bytes(data.cellColors[cell]));
   if (flat) {
-    batch_.faceCentroid.set(i, data.faceCentroids[cell]);
+    batch_.facePosition.set(
+        i, viewPosition(transform, toLocal(data.faceCentroids[cell], cluster.mesh().origin)));
     batch_.faceNormal.set(i, data.faceNormals[cell]);
   } else if (style.normals == NormalSource::kCell) {
     batch_.cornerNormal[0].set(i, data.cellNormals[cell]);
+  } else if (style.normals == NormalSource::kTriangle && transform.hasLowParts) {
+    batch_.cornerNormal[0].set(i, triangleNormal(position[0], position[1], position[2]));
   }
 }
 

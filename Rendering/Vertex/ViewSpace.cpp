@@ -111,12 +111,14 @@ InstanceTransform makeInstanceTransform(const Camera& camera, const Mat4d& model
   InstanceTransform transform;
   transform.toClip = camera.viewToClip * localToView;
   transform.toClipFloat = toFloat(transform.toClip);
-  transform.toView = toFloat(localToView);
+  transform.toView = localToView;
+  transform.toViewFloat = toFloat(localToView);
   transform.normalToView = normalMatrix(localToView);
   transform.subpixelsX = width * (kSubpixels / 2);
   transform.subpixelsY = height * (kSubpixels / 2);
   transform.precise = frame.hasLowParts || needsDouble(transform.toClip, camera.viewToClip, frame,
                                                        std::max(width, height));
+  transform.hasLowParts = frame.hasLowParts;
   transform.mirrored = determinant3(modelToWorld) < 0;
   return transform;
 }
@@ -124,7 +126,13 @@ InstanceTransform makeInstanceTransform(const Camera& camera, const Mat4d& model
 ClipPoint clipPoint(const InstanceTransform& transform, LocalPosition p)
 {
   if (!transform.precise) return clipPointIn<float>(transform.toClipFloat, p.high);
-  return clipPointIn<double>(transform.toClip, vec3Cast<double>(p.high) + vec3Cast<double>(p.low));
+  return clipPointIn<double>(transform.toClip, exact(p));
+}
+
+Vec3f viewPosition(const InstanceTransform& transform, LocalPosition p)
+{
+  if (!transform.hasLowParts) return transformPoint(transform.toViewFloat, p.high);
+  return vec3Cast<float>(transformPoint(transform.toView, exact(p)));
 }
 
 ScreenVertex screenVertex(const InstanceTransform& transform, ClipPoint clip)

@@ -22,13 +22,15 @@ struct LocalFrame {
 struct InstanceTransform {
   Mat4d toClip;  ///< local to clip space
   Mat4f toClipFloat;
-  Mat4f toView;                   ///< local to view space
+  Mat4d toView;  ///< local to view space
+  Mat4f toViewFloat;
   Mat4f normalToView;             ///< upper left 3x3; outward normals stay outward, length changes
   double subpixelsX, subpixelsY;  ///< screen = ndc * subpixels + subpixels
   /// Vertices are transformed in double: some need their low part, or float arithmetic could miss
   /// the screen position by more than 1/32 pixel somewhere in the view.
   bool precise;
-  bool mirrored;  ///< counter-clockwise triangles look clockwise from outside
+  bool hasLowParts;  ///< positions are brought to view space in double too
+  bool mirrored;     ///< counter-clockwise triangles look clockwise from outside
 };
 
 InstanceTransform makeInstanceTransform(const Camera& camera, const Mat4d& modelToWorld,
@@ -39,6 +41,9 @@ struct ClipPoint {
   double x, y, z, w;
 };
 ClipPoint clipPoint(const InstanceTransform& transform, LocalPosition p);
+
+/// Where a point is lit: in float, unless the mesh has low parts.
+Vec3f viewPosition(const InstanceTransform& transform, LocalPosition p);
 
 /// Divide, viewport and snap; in float or double as the transform says.
 ScreenVertex screenVertex(const InstanceTransform& transform, ClipPoint clip);

@@ -129,7 +129,7 @@ TEST(FaceGeometry, JoinsTheTrianglesOfACell)
   EXPECT_NEAR(faces.centroid[0].x, 2, 1e-6);
   EXPECT_NEAR(faces.centroid[0].y, 1, 1e-6);
   EXPECT_EQ(faces.normal[0], (Vec3f{0, 0, 1}));
-  EXPECT_EQ(faces.centroid[1], (Vec3f{5, 5, 5}));
+  EXPECT_EQ(faces.centroid[1], (Vec3d{5, 5, 5}));
   EXPECT_EQ(faces.normal[1], (Vec3f{0, 0, 0}));
 }
 
