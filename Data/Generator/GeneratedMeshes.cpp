@@ -120,8 +120,8 @@ GeneratedMesh gear(int teeth, double thickness)
   for (const double z : {-thickness / 2, thickness / 2})
     for (const bool outer : {false, true})
       for (int i = 0; i < count; ++i) {
-        const int part = i % kPointsPerTooth;
-        const double angle = 2 * kPi * (i / kPointsPerTooth + kAngle[part]) / teeth;
+        const int tooth = i / kPointsPerTooth, part = i % kPointsPerTooth;
+        const double angle = 2 * kPi * (tooth + kAngle[part]) / teeth;
         const double radius = outer ? kRadius[part] : kBore;
         mesh.positions.push_back(
             vec3Cast<float>(Vec3d{radius * std::cos(angle), radius * std::sin(angle), z}));

@@ -151,6 +151,25 @@ void vtkLimnRenderWindow::AddRenderer(vtkRenderer* renderer)
 }
 
 //------------------------------------------------------------------------------
+void vtkLimnRenderWindow::SetInteractor(vtkRenderWindowInteractor* interactor)
+{
+  for (const char* name : { "vtkXRenderWindowInteractor", "vtkWin32RenderWindowInteractor",
+         "vtkCocoaRenderWindowInteractor" })
+  {
+    if (interactor && interactor->IsA(name))
+    {
+      vtkErrorMacro("A " << name
+                         << " needs a window on a screen. Make it with "
+                            "vtkLimnRenderWindowInteractor::New(), or set LIMN_WINDOW=cpu, so that "
+                            "vtkRenderWindowInteractor::New() makes one.");
+      interactor->SetRenderWindow(nullptr);
+      return;
+    }
+  }
+  this->Superclass::SetInteractor(interactor);
+}
+
+//------------------------------------------------------------------------------
 vtkRenderWindowInteractor* vtkLimnRenderWindow::MakeRenderWindowInteractor()
 {
   this->Interactor = vtkLimnRenderWindowInteractor::New();

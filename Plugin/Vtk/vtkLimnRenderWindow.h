@@ -44,7 +44,14 @@ public:
    */
   void AddRenderer(vtkRenderer* renderer) override;
 
+  ///@{
+  /**
+   * Not one that waits for the events of a window on a screen: that is an error, and the interactor
+   * is left without a window.
+   */
+  void SetInteractor(vtkRenderWindowInteractor* interactor) override;
   vtkRenderWindowInteractor* MakeRenderWindowInteractor() override;
+  ///@}
 
   ///@{
   /**

@@ -6,6 +6,7 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -18,6 +19,9 @@ int resolveThreadCount(int requested)
   return requested > 0 ? requested : tbb::this_task_arena::max_concurrency();
 }
 
+namespace {
+
+/// Calls `work` with at most `threads` threads (0: all) for the oneTBB algorithms in it.
 void withThreads(int threads, const std::function<void()>& work)
 {
   if (threads <= 0) {
@@ -33,6 +37,8 @@ void withThreads(int threads, const std::function<void()>& work)
   tbb::task_arena arena(threads);
   arena.execute(work);
 }
+
+}  // namespace
 
 void parallelFor(int threads, std::size_t count, const std::function<void(std::size_t)>& body)
 {
@@ -52,6 +58,11 @@ void parallelFor(int threads, std::size_t count, const std::function<void(std::s
         },
         tbb::simple_partitioner());
   });
+}
+
+void parallelSort(int threads, std::vector<std::uint64_t>& keys)
+{
+  withThreads(threads, [&] { tbb::parallel_sort(keys.begin(), keys.end()); });
 }
 
 }  // namespace limn

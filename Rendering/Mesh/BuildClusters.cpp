@@ -5,8 +5,6 @@
 #include "Rendering/Base/Executor.h"
 #include "Rendering/Mesh/LocalPosition.h"
 
-#include <tbb/parallel_sort.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -188,7 +186,7 @@ std::vector<std::uint64_t> sortedTriangles(const MeshView& mesh, const Box& box,
   });
   clusters.outOfRangeTriangles = outOfRange;
   clusters.notFiniteTriangles = notFinite;
-  withThreads(threads, [&] { tbb::parallel_sort(keys.begin(), keys.end()); });
+  parallelSort(threads, keys);
   keys.resize(count - outOfRange - notFinite);
   return keys;
 }

@@ -207,53 +207,52 @@ class Lighting {
                mul(s.specular, mul(color, powerOf(df, s.power))));
   }
 
-  /// Sums of what all lights send towards the eye, by way of matt and of glossy reflection.
+  /// What all lights send towards the eye, by way of matt and of glossy reflection.
+  struct Reflected {
+    Lanes3 diffuse, specular;
+  };
   template <class Highlight>
-  HWY_INLINE void sum(const Surface& s, Highlight highlight, Lanes3& diffuse,
-                      Lanes3& specular) const
+  HWY_INLINE Reflected sum(const Surface& s, Highlight highlight) const
   {
-    diffuse = specular = set(Vec3f{0, 0, 0});
+    Reflected sums = {set(Vec3f{0, 0, 0}), set(Vec3f{0, 0, 0})};
     for (const ViewLight& light : lights_) {
       const Arrival at = arrive(light, s.position);
       const V nl = dot(s.normal, at.toward);
       const M lit = isPositive(nl);
       const Lanes3 color = set(light.color);
-      diffuse = choose(lit, add(diffuse, mul(color, hn::Mul(at.fall, nl))), diffuse);
-      specular =
-          choose(lit, add(specular, mul(color, hn::Mul(at.fall, highlight(at.toward)))), specular);
+      sums.diffuse = choose(lit, add(sums.diffuse, mul(color, hn::Mul(at.fall, nl))), sums.diffuse);
+      sums.specular =
+          choose(lit, add(sums.specular, mul(color, hn::Mul(at.fall, highlight(at.toward)))),
+                 sums.specular);
     }
+    return sums;
   }
 
   Lanes3 asVtk(const Surface& s) const
   {
     const Lanes3 v = normalized(neg(s.position));
-    Lanes3 diffuse, specular;
-    sum(
-        s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); }, diffuse, specular);
-    return add(add(s.ambient, mul(diffuse, s.diffuse)), mul(specular, s.specular));
+    const Reflected sums = sum(s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); });
+    return add(add(s.ambient, mul(sums.diffuse, s.diffuse)), mul(sums.specular, s.specular));
   }
 
-  Lanes3 chapter(const Surface& s) const
+  Reflected chapterSums(const Surface& s) const
   {
     const Lanes3 v = towardEye(s.position);
-    Lanes3 diffuse, specular;
     switch (style_.reflection) {
       case Reflection::kBlinnPhong:
-        sum(
-            s, [&](Lanes3 l) HWY_ATTR { return blinnPhong(l, v, s); }, diffuse, specular);
-        break;
+        return sum(s, [&](Lanes3 l) HWY_ATTR { return blinnPhong(l, v, s); });
       case Reflection::kPhong:
-        sum(
-            s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); }, diffuse, specular);
-        break;
+        return sum(s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); });
       default:
-        sum(
-            s, [&](Lanes3) HWY_ATTR { return set(0.0f); }, diffuse, specular);
-        specular = set(Vec3f{0, 0, 0});
-        break;
+        // Not the sum's own zeros: an infinite light times 0 is not a number.
+        return {sum(s, [&](Lanes3) HWY_ATTR { return set(0.0f); }).diffuse, set(Vec3f{0, 0, 0})};
     }
-    return add(add(mul(s.ambient, set(ambientLight_)), mul(diffuse, s.diffuse)),
-               mul(specular, s.specular));
+  }
+  Lanes3 chapter(const Surface& s) const
+  {
+    const Reflected sums = chapterSums(s);
+    return add(add(mul(s.ambient, set(ambientLight_)), mul(sums.diffuse, s.diffuse)),
+               mul(sums.specular, s.specular));
   }
 
   Lanes3 toned(const Surface& s) const

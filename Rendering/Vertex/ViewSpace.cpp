@@ -10,6 +10,7 @@
 namespace limn {
 namespace {
 
+constexpr int kHalfPixel = kSubpixels / 2;
 constexpr double kFloatRounding = 1.0 / (1 << 24);
 constexpr double kLargestErrorPixels = 1.0 / 32;
 
@@ -114,8 +115,8 @@ InstanceTransform makeInstanceTransform(const Camera& camera, const Mat4d& model
   transform.toView = localToView;
   transform.toViewFloat = toFloat(localToView);
   transform.normalToView = normalMatrix(localToView);
-  transform.subpixelsX = width * (kSubpixels / 2);
-  transform.subpixelsY = height * (kSubpixels / 2);
+  transform.subpixelsX = width * kHalfPixel;
+  transform.subpixelsY = height * kHalfPixel;
   transform.precise = frame.hasLowParts || needsDouble(transform.toClip, camera.viewToClip, frame,
                                                        std::max(width, height));
   transform.hasLowParts = frame.hasLowParts;

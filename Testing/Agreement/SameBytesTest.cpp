@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <iostream>
 
 namespace limn {
 namespace {
@@ -63,7 +64,9 @@ class SameBytes : public ::testing::TestWithParam<std::string> {
 
 TEST_P(SameBytes, HundredScenesHaveTheKnownHash)
 {
-  EXPECT_EQ(hashOfScenes(), kHashOfScenes);
+  const std::uint64_t hash = hashOfScenes();
+  std::cout << "hash " << GetParam() << ' ' << hash << '\n';
+  EXPECT_EQ(hash, kHashOfScenes);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),

@@ -9,9 +9,12 @@
 #include "vtkLimnActor.h"
 #include "vtkLimnPolyDataMapper.h"
 #include "vtkLimnProperty.h"
+#include "vtkLimnRenderWindow.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellPicker.h"
 #include "vtkConeSource.h"
+#include "vtkRenderWindowInteractor.h"
 #include "vtkSphereSource.h"
 #include "vtkTrivialProducer.h"
 
@@ -327,4 +330,21 @@ TEST(LimnInGLWindow, AnswersCellPickers)
   EXPECT_EQ(picker->GetActor(), sphere);
   EXPECT_NEAR(picker->GetPickPosition()[2], 0.7, 0.01);
   EXPECT_FALSE(picker->Pick(5, 5, 0, scene.Renderer));
+}
+
+TEST(LimnWindow, RefusesAnInteractorThatNeedsAScreen)
+{
+  vtkNew<vtkRenderWindowInteractor> interactor;
+  ASSERT_STREQ(interactor->GetClassName(), "vtkXRenderWindowInteractor");
+  vtkNew<vtkLimnRenderWindow> window;
+  std::string message;
+  vtkNew<vtkCallbackCommand> listener;
+  listener->SetClientData(&message);
+  listener->SetCallback([](vtkObject*, unsigned long, void* to, void* text)
+    { *static_cast<std::string*>(to) += static_cast<const char*>(text); });
+  window->AddObserver(vtkCommand::ErrorEvent, listener);
+  interactor->SetRenderWindow(window);
+  EXPECT_NE(message.find("vtkLimnRenderWindowInteractor"), std::string::npos) << message;
+  EXPECT_EQ(interactor->GetRenderWindow(), nullptr);
+  EXPECT_EQ(window->GetInteractor(), nullptr);
 }
