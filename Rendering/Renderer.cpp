@@ -12,6 +12,7 @@
 #include "Rendering/Shading/Fragments.h"
 #include "Rendering/Vertex/PlacedScene.h"
 
+#include <atomic>
 #include <chrono>
 #include <memory>
 
@@ -20,6 +21,7 @@ namespace {
 
 /// What a thread needs for one tile; kept from frame to frame, so that no tile allocates.
 struct TileMemory {
+  std::vector<TileCluster> ordered;
   VisibilityTile visible;
   std::vector<Fragment> fragments;
   std::vector<Rgba8> colors;
@@ -44,20 +46,23 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
-void drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
-              const FrameView& frame)
+/// Returns the number of occluded clusters.
+std::size_t drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+                     const FrameView& frame)
 {
-  const TileClusters clusters = {&scene, bins.clustersOf(tile)};
-  if (clusters.list.empty()) return;
+  if (bins.clustersOf(tile).empty()) return 0;
   const TileRectangle pixels = bins.grid.rectangle(tile);
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
 
+  orderClusters(scene, bins, tile, memory.ordered);
+  const TileClusters clusters = {&scene, memory.ordered};
   clearTile(frame, pixels, samples, memory.visible);
-  rasterizeTile(clusters, pixels, samples, memory.visible);
+  const std::size_t occluded = rasterizeTile(clusters, pixels, samples, memory.visible);
   collectFragments(memory.visible, pixels, samples, memory.fragments);
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
   resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
+  return occluded;
 }
 
 void countScene(const PlacedScene& scene, const TileBins& bins, RenderStats& stats)
@@ -71,17 +76,18 @@ void countScene(const PlacedScene& scene, const TileBins& bins, RenderStats& sta
   }
   stats.binnedClusters = bins.cluster.size();
   stats.bytes +=
-      bins.cluster.size() * sizeof(std::uint32_t) + scene.clusterCount * sizeof(TileRectangle);
+      bins.cluster.size() * sizeof(std::uint32_t) + scene.clusterCount * sizeof(ClusterBounds);
   if (bins.touched.x0 < bins.touched.x1)
     stats.touched = {bins.touched.x0, bins.touched.y0, bins.touched.x1, bins.touched.y1};
 }
 
-Status renderPipeline(const Scene& scene, const FrameView& frame, int threads, RenderStats& stats)
+Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOptions& options,
+                      RenderStats& stats)
 {
   const Stopwatch binTime;
-  const PlacedScene placed = placeScene(scene, frame.width, frame.height);
+  const PlacedScene placed = placeScene(scene, frame.width, frame.height, options.optimizations);
   TileBins bins;
-  if (Status status = binClusters(placed, threads, bins); !status.ok()) return status;
+  if (Status status = binClusters(placed, options.threads, bins); !status.ok()) return status;
   for (std::size_t tile = 0; tile < bins.grid.count(); ++tile)
     if (bins.clustersOf(tile).size() > TileOwner::kMaxClustersPerTile)
       return {Error::kTooManyPrimitives,
@@ -90,8 +96,11 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, int threads, R
   stats.binMilliseconds = binTime.milliseconds();
 
   const Stopwatch tileTime;
-  parallelFor(threads, bins.grid.count(),
-              [&](std::size_t tile) { drawTile(placed, bins, tile, frame); });
+  std::atomic<std::size_t> occluded = 0;
+  parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
+    occluded.fetch_add(drawTile(placed, bins, tile, frame), std::memory_order_relaxed);
+  });
+  stats.occludedClusters = occluded;
   stats.tileMilliseconds = tileTime.milliseconds();
   countScene(placed, bins, stats);
   return {};
@@ -113,8 +122,7 @@ Status render(const Scene& scene, const FrameView& frame, const RenderOptions& o
       frameStats.triangles += instance.mesh.triangles.size();
     frameStats.tileMilliseconds = time.milliseconds();
     frameStats.touched = {0, 0, frame.width, frame.height};
-  } else if (Status status = renderPipeline(scene, frame, options.threads, frameStats);
-             !status.ok()) {
+  } else if (Status status = renderPipeline(scene, frame, options, frameStats); !status.ok()) {
     return status;
   }
   if (stats != nullptr) *stats = frameStats;

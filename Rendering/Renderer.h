@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/Status.h"
 #include "Rendering/FrameView.h"
+#include "Rendering/Optimizations.h"
 #include "Rendering/Scene.h"
 
 #include <cstddef>
@@ -20,6 +21,7 @@ enum class Backend : std::uint8_t {
 struct RenderOptions {
   Backend backend = Backend::kPipeline;
   int threads = 0;  ///< 0: all; the picture does not depend on it
+  Optimizations optimizations = {};
 };
 
 /// Pixels [x0, x1) x [y0, y1); empty if x0 >= x1.
@@ -30,7 +32,8 @@ struct PixelRectangle {
 /// What one frame did. Times are wall-clock milliseconds.
 struct RenderStats {
   std::size_t instances = 0, clusters = 0, triangles = 0, vertices = 0;
-  std::size_t binnedClusters = 0;  ///< cluster-tile pairs after culling
+  std::size_t binnedClusters = 0;    ///< cluster-tile pairs after culling
+  std::size_t occludedClusters = 0;  ///< of these, left out because the tile was nearer
   double binMilliseconds = 0, tileMilliseconds = 0;
   std::size_t bytes = 0;   ///< of the clusters and of the frame's own memory
   PixelRectangle touched;  ///< no pixel outside was written

@@ -6,7 +6,6 @@
 
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
-#include <tbb/parallel_sort.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -58,11 +57,6 @@ void parallelFor(int threads, std::size_t count, const std::function<void(std::s
         },
         tbb::simple_partitioner());
   });
-}
-
-void parallelSort(int threads, std::vector<std::uint64_t>& keys)
-{
-  withThreads(threads, [&] { tbb::parallel_sort(keys.begin(), keys.end()); });
 }
 
 }  // namespace limn

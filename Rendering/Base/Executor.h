@@ -18,7 +18,4 @@ int resolveThreadCount(int requested);
 /// share one set of threads.
 void parallelFor(int threads, std::size_t count, const std::function<void(std::size_t)>& body);
 
-/// Ascending, on at most `threads` threads (0: all).
-void parallelSort(int threads, std::vector<std::uint64_t>& keys);
-
 }  // namespace limn

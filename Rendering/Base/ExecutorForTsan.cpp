@@ -36,9 +36,4 @@ void parallelFor(int threads, std::size_t count, const std::function<void(std::s
     helper.join();
 }
 
-void parallelSort(int, std::vector<std::uint64_t>& keys)
-{
-  std::sort(keys.begin(), keys.end());
-}
-
 }  // namespace limn

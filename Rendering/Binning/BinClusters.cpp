@@ -15,12 +15,16 @@ namespace {
 constexpr std::size_t kChunk = 2048;  // clusters per task
 // Rounding moves a vertex by less than this (ViewSpace.h: 1/32 pixel, and half a subpixel).
 constexpr double kMarginPixels = 0.125;
+// Of a sample's depth, by the divide, the viewport, the depth plane and the sum over it: some units
+// of 2^-24 each.
+constexpr double kDepthRounding = 4e-6;
 
 struct Interval {
   double low, high;
+  double rounding;  ///< of a sum of its terms in float, by far; included in low and high
 };
 
-/// Range of one row of the matrix over a cluster's box, widened by the rounding of its terms.
+/// Range of one row of the matrix over a cluster's box.
 Interval rowOverBox(const Mat4d& m, int row, const Cluster& cluster)
 {
   const double low[3] = {cluster.low.x, cluster.low.y, cluster.low.z};
@@ -35,7 +39,7 @@ Interval rowOverBox(const Mat4d& m, int row, const Cluster& cluster)
     terms += std::fabs(middle) + half;
   }
   radius += 1e-6 * terms;
-  return {centre - radius, centre + radius};
+  return {centre - radius, centre + radius, 1e-6 * terms};
 }
 
 /// First and one past the last pixel of a range of ndc coordinates, cut to [0, size).
@@ -55,29 +59,68 @@ PixelRange pixelRange(Interval c, Interval w, int size)
           static_cast<int>(std::clamp(last + 1.0, 0.0, limit))};
 }
 
+/// What bounds need of an instance. Depth is z/w = slope + rest/w, where the slope takes out of z
+/// all that is proportional to w: in a perspective nearly all, so that the bound is tight.
+struct BoundsTransform {
+  Mat4d toClip;  ///< row 2 is the rest
+  double slope;
+
+  explicit BoundsTransform(const Mat4d& m) : toClip(m), slope(0)
+  {
+    const double* z = m.m[2];
+    const double* w = m.m[3];
+    const double square = (w[0] * w[0] + w[1] * w[1]) + w[2] * w[2];
+    if (!(square > 0)) return;
+    slope = ((z[0] * w[0] + z[1] * w[1]) + z[2] * w[2]) / square;
+    for (int column = 0; column < 4; ++column)
+      toClip.m[2][column] = z[column] - slope * w[column];
+  }
+};
+
 constexpr TileRectangle kNothing = {std::numeric_limits<int>::max(),
                                     std::numeric_limits<int>::max(), 0, 0};
+constexpr ClusterBounds kNowhere = {0, 0, 0, 0, 0};
 
-TileRectangle pixelsOf(const PlacedInstance& placed, const Cluster& cluster, int width, int height)
+ClusterBounds boundsOf(const BoundsTransform& transform, const Cluster& cluster, int width,
+                       int height)
 {
-  const Mat4d& m = placed.transform.toClip;
-  const Interval z = rowOverBox(m, 2, cluster), w = rowOverBox(m, 3, cluster);
-  if (z.high + w.high < 0 || z.low - w.high > 0) return kNothing;
-  const PixelRange x = pixelRange(rowOverBox(m, 0, cluster), w, width);
-  const PixelRange y = pixelRange(rowOverBox(m, 1, cluster), w, height);
-  if (x.first >= x.end || y.first >= y.end) return kNothing;
-  return {x.first, y.first, x.end, y.end};
+  const Interval rest = rowOverBox(transform.toClip, 2, cluster);
+  const Interval w = rowOverBox(transform.toClip, 3, cluster);
+  float nearest = 0;
+  if (w.low > 0) {
+    const double low = transform.slope + std::min(rest.low / w.low, rest.low / w.high);
+    const double high = transform.slope + std::max(rest.high / w.low, rest.high / w.high);
+    if (high < -1 || low > 1) return kNowhere;
+    // z is summed up in float from all its terms, not only from the rest.
+    const double rounding =
+        ((1 + std::fabs(transform.slope)) * w.rounding + rest.rounding) / w.low +
+        kDepthRounding * (1 + std::max(std::fabs(low), std::fabs(high)));
+    nearest = static_cast<float>(low * 0.5 + 0.5 - rounding);
+  } else if (w.high < 0) {
+    return kNowhere;
+  }
+  const PixelRange x = pixelRange(rowOverBox(transform.toClip, 0, cluster), w, width);
+  const PixelRange y = pixelRange(rowOverBox(transform.toClip, 1, cluster), w, height);
+  if (x.first >= x.end || y.first >= y.end) return kNowhere;
+  return {static_cast<std::int16_t>(x.first), static_cast<std::int16_t>(y.first),
+          static_cast<std::int16_t>(x.end), static_cast<std::int16_t>(y.end), nearest};
 }
 
+TileRectangle united(TileRectangle a, const ClusterBounds& b)
+{
+  if (b.empty()) return a;
+  return {std::min<int>(a.x0, b.x0), std::min<int>(a.y0, b.y0), std::max<int>(a.x1, b.x1),
+          std::max<int>(a.y1, b.y1)};
+}
 TileRectangle united(TileRectangle a, TileRectangle b)
 {
   return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
 }
 
 template <class Visit>
-void forEachTile(const TileGrid& grid, const TileRectangle& pixels, Visit visit)
+void forEachTile(const TileGrid& grid, const ClusterBounds& pixels, Visit visit)
 {
-  if (pixels.x0 >= pixels.x1) return;
+  if (pixels.empty()) return;
   for (int row = pixels.y0 / kTileSide; row <= (pixels.y1 - 1) / kTileSide; ++row)
     for (int column = pixels.x0 / kTileSide; column <= (pixels.x1 - 1) / kTileSide; ++column)
       visit(grid.index(column, row));
@@ -97,16 +140,20 @@ Status binClusters(const PlacedScene& scene, int threads, TileBins& bins)
       visit(static_cast<std::uint32_t>(c));
   };
 
-  std::vector<TileRectangle> pixels(clusters);
+  bins.bounds.resize(clusters);
+  std::vector<BoundsTransform> transforms;
+  for (const PlacedInstance& placed : scene.instances)
+    transforms.emplace_back(placed.transform.toClip);
   std::vector<TileRectangle> touched(chunks, kNothing);
   const auto counts = std::make_unique<std::atomic<std::uint64_t>[]>(tiles);
   parallelFor(threads, chunks, [&](std::size_t chunk) {
     forEachCluster(chunk, [&](std::uint32_t c) {
-      const PlacedInstance& placed = scene.instances[scene.instanceOf(c)];
+      const std::uint32_t instance = scene.instanceOf(c);
+      const PlacedInstance& placed = scene.instances[instance];
       const Cluster& cluster = placed.mesh().clusters[c - placed.firstCluster];
-      pixels[c] = pixelsOf(placed, cluster, scene.width, scene.height);
-      touched[chunk] = united(touched[chunk], pixels[c]);
-      forEachTile(bins.grid, pixels[c],
+      bins.bounds[c] = boundsOf(transforms[instance], cluster, scene.width, scene.height);
+      touched[chunk] = united(touched[chunk], bins.bounds[c]);
+      forEachTile(bins.grid, bins.bounds[c],
                   [&](std::size_t tile) { counts[tile].fetch_add(1, std::memory_order_relaxed); });
     });
   });
@@ -126,7 +173,7 @@ Status binClusters(const PlacedScene& scene, int threads, TileBins& bins)
   bins.cluster.resize(entries);
   parallelFor(threads, chunks, [&](std::size_t chunk) {
     forEachCluster(chunk, [&](std::uint32_t c) {
-      forEachTile(bins.grid, pixels[c], [&](std::size_t tile) {
+      forEachTile(bins.grid, bins.bounds[c], [&](std::size_t tile) {
         bins.cluster[counts[tile].fetch_add(1, std::memory_order_relaxed)] = c;
       });
     });

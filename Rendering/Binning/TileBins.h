@@ -10,13 +10,23 @@
 
 namespace limn {
 
+/// Where on the screen a cluster may be: pixels [x0, x1) x [y0, y1), empty if x0 >= x1, and a depth
+/// that none of its samples is before.
+struct ClusterBounds {
+  std::int16_t x0, y0, x1, y1;
+  float nearest;
+
+  bool empty() const { return x0 >= x1; }
+};
+
 /// For each tile the clusters that may touch it, as numbers of a PlacedScene, in any order: the
 /// picture does not depend on it.
 struct TileBins {
   TileGrid grid;
   std::vector<std::uint32_t> firstEntry;  ///< per tile, and one more: the end
   std::vector<std::uint32_t> cluster;
-  TileRectangle touched;  ///< pixels outside show nothing; empty if x0 >= x1
+  std::vector<ClusterBounds> bounds;  ///< per cluster of the PlacedScene
+  TileRectangle touched;              ///< pixels outside show nothing; empty if x0 >= x1
 
   Span<const std::uint32_t> clustersOf(std::size_t tile) const
   {

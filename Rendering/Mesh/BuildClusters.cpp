@@ -4,27 +4,20 @@
 
 #include "Rendering/Base/Executor.h"
 #include "Rendering/Mesh/LocalPosition.h"
+#include "Rendering/Mesh/SortTriangles.h"
 
 #include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 namespace limn {
 namespace {
 
-constexpr std::size_t kRun = 1 << 16;  // triangles packed by one task
-constexpr int kMortonBitsPerAxis = 10;
-
-/// Every third bit of the result is a bit of x.
-std::uint32_t spreadBits(std::uint32_t x)
-{
-  x = (x | x << 16) & 0x030000FFu;
-  x = (x | x << 8) & 0x0300F00Fu;
-  x = (x | x << 4) & 0x030C30C3u;
-  return (x | x << 2) & 0x09249249u;
-}
+constexpr std::size_t kRun = 1 << 11;  // units of the curve cut into clusters by one task
+constexpr std::size_t kFill = 80;      // triangles in a cluster, if the vertices allow it
 
 float roundedDown(double value)
 {
@@ -37,19 +30,6 @@ float roundedUp(double value)
   const auto nearest = static_cast<float>(value);
   return nearest < value ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
                          : nearest;
-}
-
-enum class Fault : std::uint8_t { kNone, kOutOfRange, kNotFinite };
-
-Fault faultOf(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
-{
-  for (const std::uint32_t v : triangle.vertex)
-    if (v >= mesh.vertexCount()) return Fault::kOutOfRange;
-  for (const std::uint32_t v : triangle.vertex) {
-    const Vec3d p = mesh.position(v);
-    if (!isFinite(p) || !isFinite(toLocal(p, origin).high)) return Fault::kNotFinite;
-  }
-  return Fault::kNone;
 }
 
 /// The clusters of one run of sorted triangles; element numbers count from the run's start.
@@ -69,13 +49,7 @@ class ClusterVertices {
     count_ = 0;
   }
   int count() const { return count_; }
-  /// Place of `vertex` in the cluster, or -1.
-  int find(std::uint32_t vertex) const
-  {
-    for (std::size_t i = slotOf(vertex); entries_[i].generation == generation_; i = next(i))
-      if (entries_[i].vertex == vertex) return entries_[i].place;
-    return -1;
-  }
+  /// Place of `vertex` in the cluster.
   int findOrAdd(std::uint32_t vertex)
   {
     std::size_t i = slotOf(vertex);
@@ -99,99 +73,151 @@ class ClusterVertices {
   int count_ = 0;
 };
 
-/// Packs triangles greedily, in the order given.
-class Packer {
- public:
-  Packer(const MeshView& mesh, Run& run) : mesh_(mesh), run_(run) {}
+/// A unit of a run: where its first triangle's centroid is, in steps of the run's box, and its
+/// number in the run.
+struct Member {
+  std::uint16_t centroid[3];
+  std::uint16_t number;
+};
 
-  void add(std::uint32_t triangle)
+/// Cuts a run of triangles into clusters: halves it across its longest side until a part fits.
+class RunCutter {
+ public:
+  RunCutter(const MeshView& mesh, Span<const TriangleUnit> units, Run& run)
+      : mesh_(mesh), units_(units), run_(run)
   {
-    const Triangle& t = mesh_.triangles[triangle];
-    int fresh = 0;
-    for (int k = 0; k < 3; ++k)
-      fresh += vertices_.find(t.vertex[k]) < 0;
-    if (members_.size() == kMaxClusterTriangles || vertices_.count() + fresh > kMaxClusterVertices)
-      close();
-    if (members_.empty()) vertices_.startCluster();
-    for (const std::uint32_t v : t.vertex)
-      vertices_.findOrAdd(v);
-    members_.push_back(triangle);
+    const auto centroid = [&](std::size_t i) {
+      const Triangle& t = mesh_.triangles[units_[i].first];
+      return (mesh_.position(t.vertex[0]) + mesh_.position(t.vertex[1]) +
+              mesh_.position(t.vertex[2])) *
+             (1.0 / 3);
+    };
+    Box box;
+    for (std::size_t i = 0; i < units.size(); ++i)
+      box.add(centroid(i));
+    const Vec3d size = box.high - box.low;
+    const double extent = std::max({size.x, size.y, size.z});
+    const double steps = extent > 0 ? 65535.0 / extent : 0.0;
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const Vec3d c = (centroid(i) - box.low) * steps;
+      member_[i] = {{static_cast<std::uint16_t>(c.x), static_cast<std::uint16_t>(c.y),
+                     static_cast<std::uint16_t>(c.z)},
+                    static_cast<std::uint16_t>(i)};
+    }
   }
 
-  void close()
+  void cut() { cut(0, units_.size()); }
+
+ private:
+  void cut(std::size_t begin, std::size_t end)
   {
-    if (members_.empty()) return;
-    std::sort(members_.begin(), members_.end());
+    const std::size_t count = end - begin;
+    std::size_t triangles = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      triangles += units_[member_[i].number].count();
+    if (triangles <= kFill && emit(begin, end)) return;
+    // Parts are multiples of a full cluster, so that no small rest is left.
+    const std::size_t parts = (triangles + kFill - 1) / kFill;
+    const std::size_t middle = begin + (parts > 1 ? count * (parts / 2) / parts : count / 2);
+    splitAt(begin, middle, end);
+    cut(begin, middle);
+    cut(middle, end);
+  }
+
+  struct Range {
+    std::uint16_t low, high;
+  };
+  Range rangeOf(int axis, std::size_t begin, std::size_t end) const
+  {
+    Range range = {member_[begin].centroid[axis], member_[begin].centroid[axis]};
+    for (std::size_t i = begin; i < end; ++i) {
+      range.low = std::min(range.low, member_[i].centroid[axis]);
+      range.high = std::max(range.high, member_[i].centroid[axis]);
+    }
+    return range;
+  }
+
+  /// Orders the members so that those before `middle` have the smaller centroids on the longest
+  /// axis: first by buckets, then exactly in the bucket where the middle lies.
+  void splitAt(std::size_t begin, std::size_t middle, std::size_t end)
+  {
+    int axis = 0;
+    Range range = rangeOf(0, begin, end);
+    for (const int other : {1, 2}) {
+      const Range r = rangeOf(other, begin, end);
+      if (r.high - r.low > range.high - range.low) {
+        range = r;
+        axis = other;
+      }
+    }
+    constexpr int kBuckets = 64;
+    const std::uint32_t scale = (std::uint32_t{kBuckets} << 16) / (range.high - range.low + 1u);
+    const auto bucket = [&](const Member& m) {
+      return static_cast<std::uint32_t>(m.centroid[axis] - range.low) * scale >> 16;
+    };
+    std::uint32_t count[kBuckets] = {};
+    for (std::size_t i = begin; i < end; ++i)
+      ++count[bucket(member_[i])];
+    std::uint32_t split = 0;
+    std::size_t before = begin;
+    while (before + count[split] <= middle)
+      before += count[split++];
+
+    // Below, in and above the middle's bucket.
+    std::size_t next[3] = {begin, before, before + count[split]};
+    std::copy(member_ + begin, member_ + end, old_ + begin);
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::uint32_t b = bucket(old_[i]);
+      member_[next[(b >= split) + (b > split)]++] = old_[i];
+    }
+    std::nth_element(member_ + before, member_ + middle, member_ + before + count[split],
+                     [axis](const Member& a, const Member& b) {
+                       return a.centroid[axis] < b.centroid[axis] ||
+                              (a.centroid[axis] == b.centroid[axis] && a.number < b.number);
+                     });
+  }
+
+  /// Makes a cluster of a part, unless it has too many vertices.
+  bool emit(std::size_t begin, std::size_t end)
+  {
+    vertices_.startCluster();
     Cluster cluster = {};
     cluster.firstVertex = static_cast<std::uint32_t>(run_.vertex.size());
     cluster.firstTriangle = static_cast<std::uint32_t>(run_.triangle.size());
-    vertices_.startCluster();
-    for (const std::uint32_t triangle : members_) {
-      for (int k = 0; k < 3; ++k) {
-        const std::uint32_t v = mesh_.triangles[triangle].vertex[k];
-        const int place = vertices_.findOrAdd(v);
-        if (cluster.firstVertex + static_cast<std::uint32_t>(place) == run_.vertex.size())
-          run_.vertex.push_back(v);
-        run_.corner[k].push_back(static_cast<std::uint8_t>(place));
+    const auto vertexCount = [&] { return run_.vertex.size() - cluster.firstVertex; };
+    for (std::size_t i = begin; i < end; ++i) {
+      const TriangleUnit& unit = units_[member_[i].number];
+      for (std::uint32_t triangle = unit.first; triangle < unit.first + unit.count(); ++triangle) {
+        for (int k = 0; k < 3; ++k) {
+          const std::uint32_t v = mesh_.triangles[triangle].vertex[k];
+          const auto place = static_cast<std::size_t>(vertices_.findOrAdd(v));
+          if (place == vertexCount()) run_.vertex.push_back(v);
+          run_.corner[k].push_back(static_cast<std::uint8_t>(place));
+        }
+        run_.triangle.push_back(triangle);
       }
-      run_.triangle.push_back(triangle);
+      if (vertexCount() > kMaxClusterVertices) {
+        run_.vertex.resize(cluster.firstVertex);
+        run_.triangle.resize(cluster.firstTriangle);
+        for (auto& corner : run_.corner)
+          corner.resize(cluster.firstTriangle);
+        return false;
+      }
     }
-    cluster.vertexCount = static_cast<std::uint8_t>(vertices_.count());
-    cluster.triangleCount = static_cast<std::uint8_t>(members_.size());
+    cluster.vertexCount = static_cast<std::uint8_t>(vertexCount());
+    cluster.triangleCount = static_cast<std::uint8_t>(run_.triangle.size() - cluster.firstTriangle);
     run_.clusters.push_back(cluster);
-    members_.clear();
-    vertices_.startCluster();
+    return true;
   }
 
- private:
   const MeshView& mesh_;
+  Span<const TriangleUnit> units_;
   Run& run_;
   ClusterVertices vertices_;
-  std::vector<std::uint32_t> members_;
+  Member member_[kRun], old_[kRun];
 };
 
-/// Drawable triangles along the Morton curve, as curve position << 32 | triangle: no two are equal,
-/// so any sort gives the same order.
-std::vector<std::uint64_t> sortedTriangles(const MeshView& mesh, const Box& box, int threads,
-                                           ClusteredMesh& clusters)
-{
-  const std::size_t count = mesh.triangles.size();
-  constexpr std::uint64_t kDropped = std::numeric_limits<std::uint64_t>::max();
-  constexpr double kCells = 1 << kMortonBitsPerAxis;
-  const Vec3d size = box.high - box.low;
-  const auto scale = [](double extent) { return extent > 0 ? kCells / extent : 0.0; };
-  const Vec3d toCells = {scale(size.x), scale(size.y), scale(size.z)};
-  const auto cell = [](double x) {
-    return static_cast<std::uint32_t>(std::clamp(x, 0.0, kCells - 1));
-  };
-  std::vector<std::uint64_t> keys(count);
-  std::atomic<std::size_t> outOfRange = 0, notFinite = 0;
-  parallelFor(threads, (count + kRun - 1) / kRun, [&](std::size_t run) {
-    for (std::size_t t = run * kRun; t < std::min(count, (run + 1) * kRun); ++t) {
-      const Triangle& triangle = mesh.triangles[t];
-      const Fault fault = faultOf(mesh, triangle, clusters.origin);
-      if (fault != Fault::kNone) {
-        ++(fault == Fault::kOutOfRange ? outOfRange : notFinite);
-        keys[t] = kDropped;
-        continue;
-      }
-      const Vec3d centroid = (mesh.position(triangle.vertex[0]) - box.low) * (1.0 / 3) +
-                             (mesh.position(triangle.vertex[1]) - box.low) * (1.0 / 3) +
-                             (mesh.position(triangle.vertex[2]) - box.low) * (1.0 / 3);
-      const Vec3d c = centroid * toCells;
-      const std::uint32_t code =
-          spreadBits(cell(c.x)) | spreadBits(cell(c.y)) << 1 | spreadBits(cell(c.z)) << 2;
-      keys[t] = std::uint64_t{code} << 32 | t;
-    }
-  });
-  clusters.outOfRangeTriangles = outOfRange;
-  clusters.notFiniteTriangles = notFinite;
-  parallelSort(threads, keys);
-  keys.resize(count - outOfRange - notFinite);
-  return keys;
-}
-
-void allocate(const std::vector<Run>& runs, ClusteredMesh& clusters)
+void allocate(const std::vector<Run>& runs, bool mayHaveLowParts, ClusteredMesh& clusters)
 {
   std::size_t clusterCount = 0;
   for (const Run& run : runs) {
@@ -200,13 +226,19 @@ void allocate(const std::vector<Run>& runs, ClusteredMesh& clusters)
     clusters.triangleCount += run.triangle.size();
   }
   clusters.clusters.resize(clusterCount);
-  for (auto* positions :
-       {&clusters.x, &clusters.y, &clusters.z, &clusters.xLow, &clusters.yLow, &clusters.zLow})
-    positions->resize(clusters.vertexCount + kMaxClusterVertices);
-  clusters.vertex.resize(clusters.vertexCount + kMaxClusterVertices);
-  for (auto& corner : clusters.corner)
-    corner.resize(clusters.triangleCount + kMaxClusterTriangles);
-  clusters.triangle.resize(clusters.triangleCount + kMaxClusterTriangles);
+  const auto grow = [](auto& array, std::size_t count, std::size_t spare) {
+    array.resize(count + spare);
+    std::fill(array.end() - static_cast<std::ptrdiff_t>(spare), array.end(), 0);
+  };
+  for (Array<float>* positions : {&clusters.x, &clusters.y, &clusters.z})
+    grow(*positions, clusters.vertexCount, kMaxClusterVertices);
+  if (mayHaveLowParts)
+    for (Array<float>* positions : {&clusters.xLow, &clusters.yLow, &clusters.zLow})
+      grow(*positions, clusters.vertexCount, kMaxClusterVertices);
+  grow(clusters.vertex, clusters.vertexCount, kMaxClusterVertices);
+  for (Array<std::uint8_t>& corner : clusters.corner)
+    grow(corner, clusters.triangleCount, kMaxClusterTriangles);
+  grow(clusters.triangle, clusters.triangleCount, kMaxClusterTriangles);
 }
 
 /// Where a run's elements go.
@@ -224,9 +256,11 @@ bool placeVertices(const MeshView& mesh, Cluster& cluster, ClusteredMesh& cluste
     clusters.x[i] = p.high.x;
     clusters.y[i] = p.high.y;
     clusters.z[i] = p.high.z;
-    clusters.xLow[i] = p.low.x;
-    clusters.yLow[i] = p.low.y;
-    clusters.zLow[i] = p.low.z;
+    if (clusters.hasLowParts()) {
+      clusters.xLow[i] = p.low.x;
+      clusters.yLow[i] = p.low.y;
+      clusters.zLow[i] = p.low.z;
+    }
     anyLow = anyLow || !(p.low == Vec3f{0, 0, 0});
     box.add(vec3Cast<double>(p.high) + vec3Cast<double>(p.low));
   }
@@ -283,20 +317,24 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   clusters = {};
   clusters.meshVertexCount = mesh.vertexCount();
   clusters.meshTriangleCount = mesh.triangles.size();
-  const Box box = finiteBox(mesh);
+  const Box box = finiteBox(mesh, threads);
   clusters.origin = localOrigin(box);
 
-  std::vector<std::uint64_t> sorted = sortedTriangles(mesh, box, threads, clusters);
-  std::vector<Run> runs((sorted.size() + kRun - 1) / kRun);
+  SortedTriangles sorted = sortTriangles(mesh, box, clusters.origin, threads);
+  clusters.outOfRangeTriangles = sorted.outOfRange;
+  clusters.notFiniteTriangles = sorted.notFinite;
+  const Span<const TriangleUnit> order = {sorted.units.data(), sorted.units.size()};
+  std::vector<Run> runs((order.size() + kRun - 1) / kRun);
   parallelFor(threads, runs.size(), [&](std::size_t r) {
-    Packer packer(mesh, runs[r]);
-    for (std::size_t i = r * kRun; i < std::min(sorted.size(), (r + 1) * kRun); ++i)
-      packer.add(static_cast<std::uint32_t>(sorted[i]));
-    packer.close();
+    const std::size_t first = r * kRun, count = std::min(kRun, order.size() - first);
+    const auto cutter = std::make_unique<RunCutter>(
+        mesh, Span<const TriangleUnit>(order.data() + first, count), runs[r]);
+    cutter->cut();
   });
-  std::vector<std::uint64_t>().swap(sorted);
+  sorted = {};
 
-  allocate(runs, clusters);
+  const bool isFloatAtZero = !mesh.positions.empty() && clusters.origin == Vec3d{0, 0, 0};
+  allocate(runs, !isFloatAtZero, clusters);
   std::vector<Place> places;
   Place next = {0, 0, 0};
   for (const Run& run : runs) {
@@ -311,7 +349,7 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   });
   if (!anyLow)
     for (auto* low : {&clusters.xLow, &clusters.yLow, &clusters.zLow})
-      std::vector<float>().swap(*low);
+      Array<float>().swap(*low);
   uniteBoxes(clusters);
   return {};
 }

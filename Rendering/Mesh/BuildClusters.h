@@ -8,7 +8,7 @@
 
 namespace limn {
 
-/// Sorts the triangles along a Morton curve through their centroids and packs them greedily.
+/// Sorts the triangles along a Morton curve, and cuts runs of it into compact parts.
 /// Ensures: every drawable triangle of `mesh` stands in exactly one cluster; degenerate triangles
 /// are kept (they cover nothing); the others are counted. The result depends on `mesh` only, not on
 /// `threads` (0: all).

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Base/Array.h"
 #include "Rendering/Base/Vec.h"
 
 #include <cstddef>
@@ -39,11 +40,11 @@ struct ClusteredMesh {
   Vec3d origin = {0, 0, 0};                 ///< local coordinates are relative to this point
   Vec3f low = {0, 0, 0}, high = {0, 0, 0};  ///< box of the used vertices, local coordinates
   std::vector<Cluster> clusters;
-  std::vector<float> x, y, z;           ///< high parts
-  std::vector<float> xLow, yLow, zLow;  ///< low parts; empty if all are zero
-  std::vector<std::uint32_t> vertex;    ///< vertex of the MeshView
-  std::vector<std::uint8_t> corner[3];
-  std::vector<std::uint32_t> triangle;  ///< triangle of the MeshView; ascending within a cluster
+  Array<float> x, y, z;           ///< high parts
+  Array<float> xLow, yLow, zLow;  ///< low parts; empty if all are zero
+  Array<std::uint32_t> vertex;    ///< vertex of the MeshView
+  Array<std::uint8_t> corner[3];
+  Array<std::uint32_t> triangle;  ///< triangle of the MeshView
 
   std::size_t triangleCount = 0;  ///< without the spare elements
   std::size_t vertexCount = 0;    ///< cluster vertices, without the spare elements

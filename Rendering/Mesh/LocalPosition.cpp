@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/LocalPosition.h"
 
+#include "Rendering/Base/Executor.h"
+
 #include <algorithm>
+#include <vector>
 
 namespace limn {
 namespace {
@@ -12,24 +15,26 @@ constexpr double kFarInBoxSizes = 16.0;
 
 }  // namespace
 
-void Box::add(Vec3d p)
+Box finiteBox(const MeshView& mesh, int threads)
 {
-  if (empty()) {
-    low = high = p;
-    return;
-  }
-  low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-  high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-}
-
-Box finiteBox(const MeshView& mesh)
-{
-  Box box;
-  for (std::size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
-    const Vec3d p = mesh.position(vertex);
-    if (isFinite(p)) box.add(p);
-  }
-  return box;
+  constexpr std::size_t kChunk = 1 << 18;
+  const std::size_t count = mesh.vertexCount();
+  std::vector<Box> boxes((count + kChunk - 1) / kChunk);
+  parallelFor(threads, boxes.size(), [&](std::size_t chunk) {
+    Box box;
+    for (std::size_t v = chunk * kChunk; v < std::min(count, (chunk + 1) * kChunk); ++v) {
+      const Vec3d p = mesh.position(v);
+      if (isFinite(p)) box.add(p);
+    }
+    boxes[chunk] = box;
+  });
+  Box all;
+  for (const Box& box : boxes)
+    if (!box.empty()) {
+      all.add(box.low);
+      all.add(box.high);
+    }
+  return all;
 }
 
 Vec3d localOrigin(const Box& box)
@@ -40,13 +45,6 @@ Vec3d localOrigin(const Box& box)
   const double extent = std::max({size.x, size.y, size.z});
   const double distance = std::max({std::fabs(centre.x), std::fabs(centre.y), std::fabs(centre.z)});
   return distance > kFarInBoxSizes * extent ? centre : Vec3d{0, 0, 0};
-}
-
-LocalPosition toLocal(Vec3d p, Vec3d origin)
-{
-  const Vec3d local = p - origin;
-  const Vec3f high = vec3Cast<float>(local);
-  return {high, vec3Cast<float>(local - vec3Cast<double>(high))};
 }
 
 }  // namespace limn

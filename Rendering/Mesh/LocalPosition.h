@@ -4,6 +4,8 @@
 
 #include "Rendering/Mesh/MeshView.h"
 
+#include <algorithm>
+
 namespace limn {
 
 /// A position relative to its mesh's origin, as high + low. `low` is what a float could not hold:
@@ -30,17 +32,30 @@ struct Box {
   Vec3d low = {1, 1, 1}, high = {-1, -1, -1};
 
   bool empty() const { return low.x > high.x; }
-  void add(Vec3d p);
+  void add(Vec3d p)
+  {
+    if (empty()) {
+      low = high = p;
+      return;
+    }
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
 };
 
-/// Box of all finite vertices, used by a triangle or not.
-Box finiteBox(const MeshView& mesh);
+/// Box of all finite vertices, used by a triangle or not; on at most `threads` threads (0: all).
+Box finiteBox(const MeshView& mesh, int threads = 1);
 
 /// The origin of a mesh's local coordinates: zero, unless the box lies so far out that a float
 /// would lose bits of its features; then the box's centre.
 Vec3d localOrigin(const Box& box);
 
 /// Requires: `p` finite. The result's `high` is infinite if p lies beyond a float's range.
-LocalPosition toLocal(Vec3d p, Vec3d origin);
+inline LocalPosition toLocal(Vec3d p, Vec3d origin)
+{
+  const Vec3d local = p - origin;
+  const Vec3f high = vec3Cast<float>(local);
+  return {high, vec3Cast<float>(local - vec3Cast<double>(high))};
+}
 
 }  // namespace limn

@@ -84,6 +84,22 @@ void writeNames(const TileClusters& clusters, std::uint32_t owner, const FrameVi
   }
 }
 
+/// One sample a pixel: nothing to mix.
+void copyTile(const TileClusters& clusters, const VisibilityTile& tile, const TileRectangle& pixels,
+              const std::vector<Fragment>& fragments, const std::vector<Rgba8>& colors,
+              const FrameView& frame)
+{
+  for (std::size_t f = 0; f < fragments.size(); ++f) {
+    const int pixel = fragments[f].pixel;
+    const std::ptrdiff_t index =
+        (pixels.y0 + pixel / kTileSide) * frame.rowStride + pixels.x0 + pixel % kTileSide;
+    frame.color[index] = colors[f];
+    frame.depth[index] = tile.depth[0][pixel];
+    if (frame.coverage != nullptr) frame.coverage[index] = 1;
+    writeNames(clusters, fragments[f].owner, frame, index);
+  }
+}
+
 }  // namespace
 
 void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
@@ -91,6 +107,10 @@ void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
                  const std::vector<Rgba8>& colors, const FrameView& frame)
 {
   const Scene& scene = *clusters.scene->scene;
+  if (scene.samples == 1) {
+    copyTile(clusters, tile, pixels, fragments, colors, frame);
+    return;
+  }
   const auto samples = static_cast<std::uint32_t>(scene.samples);
   std::size_t next = 0;
   while (next < fragments.size()) {

@@ -18,8 +18,8 @@ struct PixelBox {
 
 /// Triangles whose box is smaller than this many subpixels in x and y have edge functions that fit
 /// 32 bits everywhere in their box and up to 16 pixels beside it.
-constexpr std::int32_t kSmallBox = 64 * kSubpixels;
-static_assert(std::int64_t{kSmallBox} * (kSmallBox + 17 * kSubpixels) * 2 < (std::int64_t{1} << 30),
+constexpr std::int32_t kSmallBox = 112 * kSubpixels;
+static_assert(std::int64_t{kSmallBox} * (kSmallBox + 17 * kSubpixels) * 2 < (std::int64_t{1} << 31),
               "edge values of small triangles fit int32");
 
 /// One tile being drawn.
@@ -190,19 +190,18 @@ void drawGeneral(const PlacedCluster& cluster, const ScreenVertices& screen, std
     drawPiece(corner[0], corner[1], corner[2]);
     return;
   }
-  const ClippedTriangle polygon = clipClusterTriangle(cluster, triangle, screen);
+  const ClippedTriangle polygon = clipClusterTriangle(cluster, triangle);
   for (int i = 1; i + 1 < polygon.count; ++i)
     drawPiece(polygon.vertex[0], polygon.vertex[i], polygon.vertex[i + 1]);
 }
 
 /// Sets up a vector of triangles at once, drops those that cover no sample of the tile, and draws
 /// the rest.
-void drawCluster(const PlacedCluster& cluster, std::uint32_t slot, const TileTarget& target)
+void drawAnyCluster(const PlacedCluster& cluster, const ScreenVertices& screen, std::uint32_t slot,
+                    const TileTarget& target)
 {
   const hn::ScalableTag<std::int32_t> d;
   const hn::Rebind<std::uint8_t, decltype(d)> d8;
-  ScreenVertices screen;
-  transformVertices(cluster, screen);
 
   const Instance& instance = *cluster.placed->instance;
   const ClusteredMesh& mesh = cluster.mesh();
@@ -282,8 +281,415 @@ void drawCluster(const PlacedCluster& cluster, std::uint32_t slot, const TileTar
   }
 }
 
-void rasterizeTileKernel(const TileClusters& clusters, const TileRectangle& pixels, int samples,
-                         VisibilityTile& tile)
+#if HWY_TARGET != HWY_SCALAR
+
+/// Looks up a vector of vertices in an array of kMaxClusterVertices.
+template <class T>
+class VertexTable {
+ public:
+  using D = hn::ScalableTag<T>;
+  using V = hn::Vec<D>;
+  using Index = hn::Vec<hn::RebindToSigned<D>>;
+
+#if HWY_TARGET == HWY_AVX3
+  // The whole table in four registers: a gather costs more than the two permutes and the blend.
+  explicit VertexTable(const T* table)
+  {
+    for (int i = 0; i < 4; ++i)
+      quarter_[i] = _mm512_load_si512(table + i * 16);
+  }
+  HWY_INLINE V operator[](Index i) const
+  {
+    const __m512i lower = _mm512_permutex2var_epi32(quarter_[0], i.raw, quarter_[1]);
+    const __m512i upper = _mm512_permutex2var_epi32(quarter_[2], i.raw, quarter_[3]);
+    const __mmask16 inUpper = _mm512_test_epi32_mask(i.raw, _mm512_set1_epi32(32));
+    const auto found =
+        hn::Vec<hn::RebindToSigned<D>>{_mm512_mask_blend_epi32(inUpper, lower, upper)};
+    return hn::BitCast(D(), found);
+  }
+
+ private:
+  __m512i quarter_[4];
+#else
+  explicit VertexTable(const T* table) : table_(table) {}
+  HWY_INLINE V operator[](Index i) const
+  {
+    return hn::GatherIndex(D(), table_, i);
+  }
+
+ private:
+  const T* table_;
+#endif
+};
+
+constexpr std::int32_t kMaxLanes = HWY_MAX_BYTES / sizeof(std::int32_t);
+
+/// Two 16-bit coordinates in 32 bits: x low, y high.
+constexpr std::int32_t packed(std::int32_t x, std::int32_t y)
+{
+  return static_cast<std::int32_t>((static_cast<std::uint32_t>(y) << 16) |
+                                   (static_cast<std::uint32_t>(x) & 0xFFFFu));
+}
+
+/// A cluster below kSmallBox, with vertices relative to the whole pixel at or before its corner.
+class SmallCluster {
+  static_assert(kSmallBox + 2 * kSubpixels < 1 << 15, "coordinates in a cluster fit int16");
+
+ public:
+  SmallCluster(const PlacedCluster& cluster, const ScreenVertices& screen, std::uint32_t slot,
+               const TileTarget& target)
+      : cluster_(cluster),
+        screen_(screen),
+        slot_(slot),
+        target_(target),
+        baseX_(screen.minX >> kSubpixelBits),
+        baseY_(screen.minY >> kSubpixelBits)
+  {
+    const auto baseX = hn::Set(d, baseX_ << kSubpixelBits);
+    const auto baseY = hn::Set(d, baseY_ << kSubpixelBits);
+    const auto lowHalf = hn::Set(d, 0xFFFF);
+    for (std::size_t i = 0; i < kMaxClusterVertices; i += hn::Lanes(d)) {
+      const auto x = hn::And(hn::Sub(hn::Load(d, screen.x + i), baseX), lowHalf);
+      const auto y = hn::ShiftLeft<16>(hn::Sub(hn::Load(d, screen.y + i), baseY));
+      hn::Store(hn::Or(x, y), d, packed_ + i);
+    }
+  }
+
+  void draw()
+  {
+    std::int32_t few[kMaxClusterTriangles + kMaxLanes], many[kMaxClusterTriangles + kMaxLanes];
+    std::size_t fewCount = 0, manyCount = 0;
+    sift(few, fewCount, many, manyCount);
+    if (fewCount != 0) drawFew(few, fewCount);
+    for (std::size_t i = 0; i < manyCount; ++i)
+      drawMany(static_cast<std::uint32_t>(many[i]));
+  }
+
+ private:
+  static constexpr hn::ScalableTag<std::int32_t> d{};
+  static constexpr hn::ScalableTag<float> df{};
+  using VI = hn::Vec<hn::ScalableTag<std::int32_t>>;
+  using VF = hn::Vec<hn::ScalableTag<float>>;
+
+  /// A triangle in 32 bits: its number, and its corners' numbers.
+  static HWY_INLINE VI cornerOf(VI triangle, int k)
+  {
+    const VI mask = hn::Set(d, kMaxClusterVertices - 1);
+    return k == 0   ? hn::And(triangle, mask)
+           : k == 1 ? hn::And(hn::ShiftRight<8>(triangle), mask)
+                    : hn::And(hn::ShiftRight<16>(triangle), mask);
+  }
+  static std::uint32_t numberOf(std::uint32_t triangle) { return triangle >> 24; }
+
+  /// Sorts out triangles whose box holds a sample of the tile: `few` with up to 4 x 4 pixels, and
+  /// `many`. The rest, most of a fine mesh, ends here.
+  void sift(std::int32_t* few, std::size_t& fewCount, std::int32_t* many,
+            std::size_t& manyCount) const
+  {
+    const hn::Rebind<std::uint8_t, decltype(d)> d8;
+    const hn::Repartition<std::int16_t, decltype(d)> d16;
+    const VertexTable<std::int32_t> vertices(packed_);
+    const auto both = [&](std::int32_t x, std::int32_t y)
+                          HWY_ATTR { return hn::BitCast(d16, hn::Set(d, packed(x, y))); };
+    // Pixels relative to the base. The cluster meets the tile, so all stay far below 16 bits.
+    const auto border0 = both(target_.pixels.x0 - baseX_, target_.pixels.y0 - baseY_);
+    const auto border1 = both(target_.pixels.x1 - 1 - baseX_, target_.pixels.y1 - 1 - baseY_);
+    const auto up = both(kSubpixels - 1 - target_.highest.x, kSubpixels - 1 - target_.highest.y);
+    const auto down = both(target_.lowest.x, target_.lowest.y);
+    const auto three = both(7, 7);
+
+    const ClusteredMesh& mesh = cluster_.mesh();
+    const std::size_t first = cluster_.cluster->firstTriangle;
+    const std::size_t count = cluster_.cluster->triangleCount;
+    const VI end = hn::Set(d, static_cast<std::int32_t>(count));
+    for (std::size_t t = 0; t < count; t += hn::Lanes(d)) {
+      // Behind the last triangle there are vertex numbers of some other cluster, below 64.
+      const auto load = [&](int k) HWY_ATTR {
+        return hn::PromoteTo(d, hn::LoadU(d8, mesh.corner[k].data() + first + t));
+      };
+      const VI i0 = load(0), i1 = load(1), i2 = load(2);
+      const auto a = hn::BitCast(d16, vertices[i0]), b = hn::BitCast(d16, vertices[i1]),
+                 c = hn::BitCast(d16, vertices[i2]);
+      const auto low = hn::Min(a, hn::Min(b, c)), high = hn::Max(a, hn::Max(b, c));
+      const auto from = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(low, up)), border0);
+      const auto to = hn::Min(hn::ShiftRight<kSubpixelBits>(hn::Sub(high, down)), border1);
+      const auto any = [&](auto mask) HWY_ATTR {
+        return hn::Ne(hn::BitCast(d, hn::VecFromMask(d16, mask)), hn::Zero(d));
+      };
+      const VI number = hn::Iota(d, static_cast<std::int32_t>(t));
+      const auto kept = hn::AndNot(any(hn::Gt(from, to)), hn::Lt(number, end));
+      if (hn::AllFalse(d, kept)) continue;
+      const auto wide = any(hn::Gt(hn::Sub(to, from), three));
+      const VI triangle = hn::Or(hn::Or(i0, hn::ShiftLeft<8>(i1)),
+                                 hn::Or(hn::ShiftLeft<16>(i2), hn::ShiftLeft<24>(number)));
+      fewCount += hn::CompressStore(triangle, hn::AndNot(wide, kept), d, few + fewCount);
+      const auto large = hn::And(wide, kept);
+      if (!hn::AllFalse(d, large))
+        manyCount += hn::CompressStore(triangle, large, d, many + manyCount);
+    }
+  }
+
+  /// Draws a vector of triangles at a time, pixel by pixel of their boxes.
+  void drawFew(std::int32_t* triangles, std::size_t count) const
+  {
+    hn::StoreU(hn::Zero(d), d, triangles + count);
+    const VertexTable<std::int32_t> vertices(packed_);
+    for (std::size_t t = 0; t < count; t += hn::Lanes(d)) {
+      const VI triangle = hn::LoadU(d, triangles + t);
+      const auto real = hn::Lt(hn::Iota(d, static_cast<std::int32_t>(t)),
+                               hn::Set(d, static_cast<std::int32_t>(count)));
+      drawVector(vertices, triangle, real);
+    }
+  }
+
+  HWY_INLINE void drawVector(const VertexTable<std::int32_t>& vertices, VI triangle,
+                             hn::Mask<hn::ScalableTag<std::int32_t>> real) const
+  {
+    const VI zero = hn::Zero(d);
+    const VI i0 = cornerOf(triangle, 0), i1 = cornerOf(triangle, 1), i2 = cornerOf(triangle, 2);
+    const VI p0 = vertices[i0], p1 = vertices[i1], p2 = vertices[i2];
+    const auto xOf = [](VI p) HWY_ATTR { return hn::ShiftRight<16>(hn::ShiftLeft<16>(p)); };
+    const auto yOf = [](VI p) HWY_ATTR { return hn::ShiftRight<16>(p); };
+    const VI x0 = xOf(p0), y0 = yOf(p0);
+    const VI area = hn::Sub(hn::Mul(hn::Sub(xOf(p1), x0), hn::Sub(yOf(p2), y0)),
+                            hn::Mul(hn::Sub(xOf(p2), x0), hn::Sub(yOf(p1), y0)));
+    const auto clockwise = hn::Lt(area, zero);
+    auto drawn = hn::And(real, hn::Ne(area, zero));
+    const Instance& instance = *cluster_.placed->instance;
+    if (instance.cullBackFaces) drawn = hn::AndNot(clockwise, drawn);
+    if (instance.cullFrontFaces) drawn = hn::And(drawn, clockwise);
+    if (hn::AllFalse(d, drawn)) return;
+    const VI q1 = hn::IfThenElse(clockwise, p2, p1), q2 = hn::IfThenElse(clockwise, p1, p2);
+    const VI x[3] = {x0, xOf(q1), xOf(q2)}, y[3] = {y0, yOf(q1), yOf(q2)};
+
+    // The box, as sift() found it.
+    const auto firstPixel = [&](const VI* v, std::int32_t offset, std::int32_t border) HWY_ATTR {
+      const VI low = hn::Min(v[0], hn::Min(v[1], v[2]));
+      return hn::Max(
+          hn::ShiftRight<kSubpixelBits>(hn::Add(low, hn::Set(d, kSubpixels - 1 - offset))),
+          hn::Set(d, border));
+    };
+    const auto lastPixel = [&](const VI* v, std::int32_t offset, std::int32_t border) HWY_ATTR {
+      const VI high = hn::Max(v[0], hn::Max(v[1], v[2]));
+      return hn::Min(hn::ShiftRight<kSubpixelBits>(hn::Sub(high, hn::Set(d, offset))),
+                     hn::Set(d, border));
+    };
+    const std::int32_t left = target_.pixels.x0 - baseX_, bottom = target_.pixels.y0 - baseY_;
+    const VI fromX = firstPixel(x, target_.highest.x, left);
+    const VI fromY = firstPixel(y, target_.highest.y, bottom);
+    const VI spanX = hn::IfThenElseZero(
+        drawn, hn::Sub(lastPixel(x, target_.lowest.x, target_.pixels.x1 - 1 - baseX_), fromX));
+    const VI spanY = hn::IfThenElseZero(
+        drawn, hn::Sub(lastPixel(y, target_.lowest.y, target_.pixels.y1 - 1 - baseY_), fromY));
+    const std::int32_t columns = hn::GetLane(hn::MaxOfLanes(d, spanX));
+    const std::int32_t rows = hn::GetLane(hn::MaxOfLanes(d, spanY));
+
+    // Edge values at the lower left corner of the box's first pixel, less the smallest inside.
+    VI corner[3], dx[3], dy[3], least[3];
+    for (int i = 0; i < 3; ++i) {
+      const int from = (i + 1) % 3, to = (i + 2) % 3;
+      dx[i] = hn::Sub(x[to], x[from]);
+      dy[i] = hn::Sub(y[to], y[from]);
+      const auto topLeft =
+          hn::Or(hn::Lt(dy[i], zero), hn::And(hn::Eq(dy[i], zero), hn::Lt(dx[i], zero)));
+      least[i] = hn::IfThenZeroElse(topLeft, hn::Set(d, 1));
+      const VI px = hn::ShiftLeft<kSubpixelBits>(fromX), py = hn::ShiftLeft<kSubpixelBits>(fromY);
+      corner[i] = hn::Sub(
+          hn::Sub(hn::Mul(dx[i], hn::Sub(py, y[from])), hn::Mul(dy[i], hn::Sub(px, x[from]))),
+          least[i]);
+    }
+
+    const auto depthOf = [&](VI i) HWY_ATTR { return hn::GatherIndex(df, screen_.depth, i); };
+    const VF z0 = depthOf(i0), zb = depthOf(i1), zc = depthOf(i2);
+    const auto clockwiseF = hn::RebindMask(df, clockwise);
+    const VF inverse = hn::Div(hn::Set(df, 1.0f), hn::ConvertTo(df, hn::Abs(area)));
+    const VF z1 = hn::Mul(hn::Sub(hn::IfThenElse(clockwiseF, zc, zb), z0), inverse);
+    const VF z2 = hn::Mul(hn::Sub(hn::IfThenElse(clockwiseF, zb, zc), z0), inverse);
+
+    const VI firstIndex =
+        hn::Add(hn::Mul(hn::Sub(fromY, hn::Set(d, bottom)), hn::Set(d, kTileSide)),
+                hn::Sub(fromX, hn::Set(d, left)));
+    const VI owner = hn::Or(hn::Set(d, static_cast<std::int32_t>(TileOwner::make(slot_, 0))),
+                            hn::BitCast(d, hn::ShiftRight<24>(hn::BitCast(du, triangle))));
+    alignas(64) std::uint32_t owners[kMaxLanes];
+    hn::Store(hn::BitCast(du, owner), du, owners);
+
+    for (std::size_t s = 0; s < target_.offsets.size(); ++s) {
+      const VI offsetX = hn::Set(d, target_.offsets[s].x),
+               offsetY = hn::Set(d, target_.offsets[s].y);
+      const auto start = [&](int i) HWY_ATTR {
+        return hn::Add(corner[i], hn::Sub(hn::Mul(dx[i], offsetY), hn::Mul(dy[i], offsetX)));
+      };
+      const VI start0 = start(0), start1 = start(1), start2 = start(2);
+      const auto rowOf = [&](VI value, int i, std::int32_t row) HWY_ATTR {
+        return hn::Add(value, hn::Mul(dx[i], hn::Set(d, row * kSubpixels)));
+      };
+      for (std::int32_t row = 0; row <= rows; ++row) {
+        VI e0 = rowOf(start0, 0, row), e1 = rowOf(start1, 1, row), e2 = rowOf(start2, 2, row);
+        const auto inRow = hn::And(drawn, hn::Gt(spanY, hn::Set(d, row - 1)));
+        for (std::int32_t column = 0; column <= columns; ++column) {
+          const auto inBox = hn::And(inRow, hn::Gt(spanX, hn::Set(d, column - 1)));
+          const auto covered = hn::And(inBox, hn::Gt(hn::Or(e0, hn::Or(e1, e2)), hn::Set(d, -1)));
+          if (!hn::AllFalse(d, covered)) {
+            const VF v1 = hn::ConvertTo(df, hn::Add(e1, least[1]));
+            const VF v2 = hn::ConvertTo(df, hn::Add(e2, least[2]));
+            const VF z = hn::Add(z0, hn::Add(hn::Mul(v1, z1), hn::Mul(v2, z2)));
+            const VI index = hn::Add(firstIndex, hn::Set(d, row * kTileSide + column));
+            commit(s, covered, z, index, owners);
+          }
+          e0 = hn::Sub(e0, hn::ShiftLeft<kSubpixelBits>(dy[0]));
+          e1 = hn::Sub(e1, hn::ShiftLeft<kSubpixelBits>(dy[1]));
+          e2 = hn::Sub(e2, hn::ShiftLeft<kSubpixelBits>(dy[2]));
+        }
+      }
+    }
+  }
+
+  /// Gives one sample each of some triangles to them, where they are the nearest.
+  HWY_INLINE void commit(std::size_t sample, hn::Mask<hn::ScalableTag<std::int32_t>> covered, VF z,
+                         VI index, const std::uint32_t* owners) const
+  {
+    const VF zero = hn::Zero(df);
+    const auto visible = hn::And(hn::RebindMask(df, covered), hn::Le(z, hn::Set(df, 1.0f)));
+    alignas(64) float depths[kMaxLanes];
+    alignas(64) std::int32_t indices[kMaxLanes];
+    hn::Store(hn::IfThenElse(hn::Gt(z, zero), z, zero), df, depths);
+    hn::Store(index, d, indices);
+    float* tileDepth = target_.tile.depth[sample];
+    std::uint32_t* tileOwner = target_.tile.owner[sample];
+    for (std::uint64_t bits = bitsOf(visible); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+      const std::int32_t pixel = indices[lane];
+      const float fresh = depths[lane], old = tileDepth[pixel];
+      if (fresh < old ||
+          (fresh == old && target_.clusters.drawnLater(owners[lane], tileOwner[pixel]))) {
+        tileDepth[pixel] = fresh;
+        tileOwner[pixel] = owners[lane];
+      }
+    }
+  }
+  static HWY_INLINE std::uint64_t bitsOf(hn::Mask<hn::ScalableTag<float>> mask)
+  {
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(df, mask, bytes);
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, bytes, sizeof bits);
+    return bits;
+  }
+
+  /// Draws one triangle, a vector of pixels at a time.
+  void drawMany(std::uint32_t triangle) const
+  {
+    const std::uint32_t number = numberOf(triangle);
+    const std::uint32_t i0 = triangle & 63, i1 = triangle >> 8 & 63, i2 = triangle >> 16 & 63;
+    const std::int32_t area = (screen_.x[i1] - screen_.x[i0]) * (screen_.y[i2] - screen_.y[i0]) -
+                              (screen_.x[i2] - screen_.x[i0]) * (screen_.y[i1] - screen_.y[i0]);
+    const Instance& instance = *cluster_.placed->instance;
+    if (area == 0 || (area < 0 ? instance.cullBackFaces : instance.cullFrontFaces)) return;
+    const std::uint32_t owner = TileOwner::make(slot_, number);
+    if (area < 0)
+      drawSmall(screen_, i0, i2, i1, owner, target_);
+    else
+      drawSmall(screen_, i0, i1, i2, owner, target_);
+  }
+
+  static constexpr hn::ScalableTag<std::uint32_t> du{};
+
+  const PlacedCluster& cluster_;
+  const ScreenVertices& screen_;
+  std::uint32_t slot_;
+  const TileTarget& target_;
+  std::int32_t baseX_, baseY_;  ///< whole pixels
+  alignas(64) std::int32_t packed_[kMaxClusterVertices];
+};
+
+#endif  // HWY_TARGET != HWY_SCALAR
+
+/// The blocks of a tile that a box of pixels meets, as a mask.
+struct BlockRange {
+  int x0, y0, x1, y1;  ///< last ones included
+
+  BlockRange(const ClusterBounds& bounds, const TileRectangle& pixels)
+      : x0(std::max(bounds.x0 - pixels.x0, 0) / kBlockSide),
+        y0(std::max(bounds.y0 - pixels.y0, 0) / kBlockSide),
+        x1((std::min<int>(bounds.x1, pixels.x1) - 1 - pixels.x0) / kBlockSide),
+        y1((std::min<int>(bounds.y1, pixels.y1) - 1 - pixels.y0) / kBlockSide)
+  {
+  }
+  std::uint64_t mask() const
+  {
+    const std::uint64_t row = ((std::uint64_t{2} << x1) - (std::uint64_t{1} << x0)) & 0xFF;
+    std::uint64_t bits = 0;
+    for (int y = y0; y <= y1; ++y)
+      bits |= row << (y * kBlocksPerRow);
+    return bits;
+  }
+};
+
+float farthestOf(const VisibilityTile& tile, int samples, int block)
+{
+  const hn::CappedTag<float, kBlockSide> d;
+  const int first =
+      block / kBlocksPerRow * kBlockSide * kTileSide + block % kBlocksPerRow * kBlockSide;
+  auto farthest = hn::Set(d, -1.0f);
+  for (int s = 0; s < samples; ++s)
+    for (int row = 0; row < kBlockSide; ++row)
+      for (int column = 0; column < kBlockSide; column += static_cast<int>(hn::Lanes(d))) {
+        const auto z = hn::Load(d, tile.depth[s] + first + row * kTileSide + column);
+        farthest = hn::IfThenElse(hn::Gt(z, farthest), z, farthest);
+      }
+  return hn::GetLane(hn::MaxOfLanes(d, farthest));
+}
+
+/// Whether all that a cluster can show lies behind what the tile shows already.
+bool isOccluded(const ClusterBounds& bounds, const BlockRange& blocks, int samples,
+                VisibilityTile& tile)
+{
+  for (int y = blocks.y0; y <= blocks.y1; ++y)
+    for (int x = blocks.x0; x <= blocks.x1; ++x) {
+      const int block = y * kBlocksPerRow + x;
+      const std::uint64_t bit = std::uint64_t{1} << block;
+      if ((tile.stale & bit) != 0) {
+        tile.farthest[block] = farthestOf(tile, samples, block);
+        tile.stale &= ~bit;
+      }
+      if (bounds.nearest <= tile.farthest[block]) return false;
+    }
+  return true;
+}
+
+void drawCluster(const PlacedCluster& cluster, std::uint32_t slot, const TileTarget& target)
+{
+  ScreenVertices screen;
+  transformVertices(cluster, screen);
+#if HWY_TARGET != HWY_SCALAR
+  if (target.clusters.scene->optimizations.smallClusters && !screen.anyNeedsClip &&
+      screen.maxX - screen.minX < kSmallBox && screen.maxY - screen.minY < kSmallBox) {
+    if (target.box(screen.minX, screen.minY, screen.maxX, screen.maxY).empty()) return;
+    SmallCluster(cluster, screen, slot, target).draw();
+    return;
+  }
+#endif
+  drawAnyCluster(cluster, screen, slot, target);
+}
+
+void prefetch(const PlacedCluster& cluster)
+{
+  const ClusteredMesh& mesh = cluster.mesh();
+  const auto fetch = [](const auto* from, std::size_t count) {
+    const auto* bytes = reinterpret_cast<const char*>(from);
+    for (std::size_t i = 0; i < count * sizeof *from; i += 64)
+      hwy::Prefetch(bytes + i);
+  };
+  const std::size_t vertex = cluster.cluster->firstVertex;
+  for (const Array<float>* axis : {&mesh.x, &mesh.y, &mesh.z})
+    fetch(axis->data() + vertex, cluster.cluster->vertexCount);
+  for (const Array<std::uint8_t>& corner : mesh.corner)
+    fetch(corner.data() + cluster.cluster->firstTriangle, cluster.cluster->triangleCount);
+}
+
+std::size_t rasterizeTileKernel(const TileClusters& clusters, const TileRectangle& pixels,
+                                int samples, VisibilityTile& tile)
 {
   const Span<const SampleOffset> offsets = samplePositions(samples);
   SampleOffset lowest = offsets[0], highest = offsets[0];
@@ -292,8 +698,30 @@ void rasterizeTileKernel(const TileClusters& clusters, const TileRectangle& pixe
     highest = {std::max(highest.x, offset.x), std::max(highest.y, offset.y)};
   }
   const TileTarget target = {clusters, pixels, offsets, lowest, highest, tile};
-  for (std::uint32_t slot = 0; slot < clusters.list.size(); ++slot)
-    drawCluster(clusters.at(slot), slot, target);
+  const bool culls = clusters.scene->optimizations.occlusionCulling;
+  const std::size_t count = clusters.list.size();
+  const auto isVisible = [&](std::size_t slot) {
+    const ClusterBounds& bounds = clusters.list[slot].bounds;
+    return !culls || !isOccluded(bounds, BlockRange(bounds, pixels), samples, tile);
+  };
+  // The next cluster's data comes from memory while one is drawn.
+  const auto nextVisible = [&](std::size_t slot) {
+    while (slot < count && !isVisible(slot))
+      ++slot;
+    if (slot < count) prefetch(clusters.list[slot].cluster);
+    return slot;
+  };
+  std::size_t drawn = 0;
+  for (std::size_t slot = nextVisible(0); slot < count;) {
+    const std::size_t next = nextVisible(slot + 1);
+    if (isVisible(slot)) {
+      drawCluster(clusters.list[slot].cluster, static_cast<std::uint32_t>(slot), target);
+      tile.stale |= BlockRange(clusters.list[slot].bounds, pixels).mask();
+      ++drawn;
+    }
+    slot = next;
+  }
+  return count - drawn;
 }
 
 }  // namespace limn::HWY_NAMESPACE

@@ -5,9 +5,13 @@
 #include "Rendering/Raster/EdgeFunction.h"
 
 #include <algorithm>
+#include <cstring>
+#include <limits>
+#include <numeric>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Rendering/Raster/RasterizeTile.cpp"
+#include <hwy/cache_control.h>
 #include <hwy/foreach_target.h>
 
 #include "Rendering/Raster/RasterizeTile-inl.h"
@@ -29,6 +33,7 @@ void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
                VisibilityTile& tile)
 {
   constexpr float kBeforeEverything = -1.0f;
+  tile.stale = ~std::uint64_t{0};
   for (int s = 0; s < samples; ++s) {
     std::fill_n(tile.owner[s], kTilePixels, kNobody);
     if (pixels.x1 - pixels.x0 < kTileSide || pixels.y1 - pixels.y0 < kTileSide)
@@ -39,10 +44,43 @@ void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
   }
 }
 
-void rasterizeTile(const TileClusters& clusters, const TileRectangle& pixels, int samples,
-                   VisibilityTile& tile)
+void orderClusters(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+                   std::vector<TileCluster>& ordered)
 {
-  HWY_DYNAMIC_DISPATCH(rasterizeTileKernel)(clusters, pixels, samples, tile);
+  const Span<const std::uint32_t> list = bins.clustersOf(tile);
+  const auto entry = [&](std::uint32_t c) -> TileCluster {
+    const PlacedInstance& placed = scene.instances[scene.instanceOf(c)];
+    const Cluster& cluster = placed.mesh().clusters[c - placed.firstCluster];
+    return {{&placed, &cluster}, bins.bounds[c], cluster.firstVertex, cluster.firstTriangle};
+  };
+  ordered.resize(list.size());
+  if (!scene.optimizations.occlusionCulling) {
+    std::transform(list.begin(), list.end(), ordered.begin(), entry);
+    return;
+  }
+  // A counting sort; the order within a bucket is of no account.
+  constexpr int kBuckets = 256;
+  float low = std::numeric_limits<float>::max(), high = -low;
+  for (const std::uint32_t c : list) {
+    low = std::min(low, bins.bounds[c].nearest);
+    high = std::max(high, bins.bounds[c].nearest);
+  }
+  const float scale = high > low ? (kBuckets - 1) / (high - low) : 0.0f;
+  const auto bucket = [&](std::uint32_t c) {
+    return static_cast<std::size_t>((bins.bounds[c].nearest - low) * scale);
+  };
+  std::uint32_t next[kBuckets + 1] = {};
+  for (const std::uint32_t c : list)
+    ++next[bucket(c) + 1];
+  std::partial_sum(next, next + kBuckets, next);
+  for (const std::uint32_t c : list)
+    ordered[next[bucket(c)]++] = entry(c);
+}
+
+std::size_t rasterizeTile(const TileClusters& clusters, const TileRectangle& pixels, int samples,
+                          VisibilityTile& tile)
+{
+  return HWY_DYNAMIC_DISPATCH(rasterizeTileKernel)(clusters, pixels, samples, tile);
 }
 
 }  // namespace limn

@@ -21,8 +21,7 @@ void collectFragments(const VisibilityTile& tile, const TileRectangle& pixels, i
                       std::vector<Fragment>& fragments);
 
 /// Up to kCapacity fragments of one instance as arrays, ready to be shaded: which mixture of its
-/// corners a fragment is, and what the corners carry. Arrays that the instance's style does not
-/// need are not filled; vectors may read up to kCapacity.
+/// corners a fragment is, and what the corners carry. Vectors may read up to kCapacity.
 struct alignas(64) FragmentBatch {
   static constexpr int kCapacity = 64;
   struct Vectors {
@@ -36,16 +35,24 @@ struct alignas(64) FragmentBatch {
     }
   };
 
-  float share[3][kCapacity];   ///< per corner: edge value times 1/w, not yet divided by the sum
-  float weight[3][kCapacity];  ///< per corner: (12.4)
-  float side[kCapacity];       ///< 1 seen from outside, -1 from inside
-  Vectors corner[3];           ///< local positions; in view space if the mesh has low parts
-  Vectors cornerNormal[3];     ///< local; [0] alone for a cell, or a triangle with low parts
-  Vectors cornerColor[3];      ///< 0 ... 255; [0] alone for colours of a cell
-  Vectors facePosition;        ///< centroid in view space; for flat frequency
-  Vectors faceNormal;          ///< local; for flat frequency
-  Vectors color;               ///< the result, before clamping
-  int count = 0;               ///< last, so that every array starts at a multiple of 64 bytes
+  // Filled for all instances:
+  std::uint32_t owner[kCapacity];                     ///< TileOwner
+  std::int32_t pointX[kCapacity], pointY[kCapacity];  ///< where it is shaded, viewport subpixels
+  Vectors corner[3];                                  ///< local positions, high parts
+  Vectors cornerLow[3];                               ///< if the mesh has low parts
+  // By placeFragments():
+  float weight[3][kCapacity];         ///< per corner: (12.4)
+  float side[kCapacity];              ///< 1 seen from outside, -1 from inside
+  std::int32_t needsClip[kCapacity];  ///< not 0: the two above mean nothing
+  Vectors viewCorner[3];              ///< only if the mesh has low parts
+  Vectors edge[2];                    ///< likewise: from corner 0 to the others, local
+  // By what the instance's style and attributes are:
+  Vectors cornerNormal[3];  ///< local; [0] alone for normals of a cell
+  Vectors cornerColor[3];   ///< 0 ... 255; [0] alone for colours of a cell
+  Vectors facePosition;     ///< centroid in view space; for flat frequency
+  Vectors faceNormal;       ///< local; for flat frequency
+  Vectors color;            ///< the result, before clamping
+  int count = 0;            ///< last, so that every array starts at a multiple of 64 bytes
 };
 
 /// Colours of the fragments of one tile, in the order of `fragments`; alpha 255.
@@ -55,17 +62,8 @@ class FragmentShader {
              const std::vector<Fragment>& fragments, std::vector<Rgba8>& colors);
 
  private:
-  struct Corners;
-
-  const ScreenVertices& screenOf(const PlacedCluster& cluster, std::uint32_t slot);
-  Corners cornersAt(const PlacedCluster& cluster, const Fragment& fragment,
-                    const TileRectangle& pixels, int samples);
-  void fill(const PlacedCluster& cluster, const Fragment& fragment, const Corners& corners, int i);
-
   FragmentBatch batch_;
-  std::vector<std::uint32_t> order_;        ///< fragments by instance
-  std::vector<std::uint32_t> blockOfSlot_;  ///< where in blocks_ a cluster's vertices are
-  std::vector<ScreenVertices> blocks_;      ///< of the clusters seen so far, transformed again
+  std::vector<std::uint32_t> order_;  ///< fragments by instance
 };
 
 /// What a light equation needs besides the fragments.
@@ -74,8 +72,17 @@ struct ShadingContext {
   const PlacedInstance* placed;
 };
 
-/// Divides the shares by their sum: fills `weight`.
-void weighFragments(FragmentBatch& batch);
+/// Fills all that the fragments' corners and cells carry, by `owner`. Not for flat frequency.
+/// Requires: isGatherable().
+void gatherFragments(const TileClusters& clusters, const PlacedInstance& placed,
+                     FragmentBatch& batch);
+/// Whether a mesh's arrays are within the reach of 32-bit indices.
+bool isGatherable(const ClusteredMesh& mesh);
+
+/// Puts the corners on the screen again, bit for bit as transformVertices(), and finds where in its
+/// triangle each fragment lies. Corners before the near plane or outside the guard band are left to
+/// the caller.
+void placeFragments(const InstanceTransform& transform, FragmentBatch& batch);
 /// Fills `color` by the instance's style.
 void lightFragments(const ShadingContext& context, FragmentBatch& batch);
 /// Clamps to [0, 1], scales to bytes, rounds to even.

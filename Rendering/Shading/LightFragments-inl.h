@@ -295,10 +295,8 @@ class FragmentLanes {
     return add(add(mul(a, weight(0)), mul(b, weight(1))), mul(c, weight(2)));
   }
   HWY_INLINE Lanes3 corner(int k) const { return load(batch_.corner[k], i_); }
-  /// A mixture of corners in view space.
-  HWY_INLINE Lanes3 position(Lanes3 p) const
+  HWY_INLINE Lanes3 viewPosition(Lanes3 p) const
   {
-    if (transform_.hasLowParts) return p;
     const auto row = [&](int r) HWY_ATTR {
       const float* m = transform_.toViewFloat.m[r];
       return hn::Add(hn::Add(hn::Mul(set(m[0]), p.x), hn::Mul(set(m[1]), p.y)),
@@ -315,7 +313,15 @@ class FragmentLanes {
     };
     return mul(normalized({row(0), row(1), row(2)}), side_);
   }
-  Lanes3 pixelPosition() const { return position(mix(corner(0), corner(1), corner(2))); }
+  Lanes3 cornerPosition(int k) const
+  {
+    return transform_.hasLowParts ? load(batch_.viewCorner[k], i_) : viewPosition(corner(k));
+  }
+  Lanes3 pixelPosition() const
+  {
+    return transform_.hasLowParts ? mix(cornerPosition(0), cornerPosition(1), cornerPosition(2))
+                                  : viewPosition(mix(corner(0), corner(1), corner(2)));
+  }
   Lanes3 pixelNormal() const
   {
     switch (instance_.style.normals) {
@@ -324,7 +330,8 @@ class FragmentLanes {
       case NormalSource::kCell:
         return facing(normal(0));
       default:
-        if (transform_.hasLowParts) return facing(normal(0));
+        if (transform_.hasLowParts)
+          return facing(cross(load(batch_.edge[0], i_), load(batch_.edge[1], i_)));
         return facing(cross(sub(corner(1), corner(0)), sub(corner(2), corner(0))));
     }
   }
@@ -381,7 +388,7 @@ Lanes3 shadeLanes(const Lighting& lighting, const FragmentLanes& lanes, ShadingF
   const Lanes3 none = set(Vec3f{0, 0, 0});
   if (frequency == ShadingFrequency::kGouraud) {
     const auto atCorner = [&](int k) HWY_ATTR {
-      return light(lanes.position(lanes.corner(k)), lanes.cornerNormal(k),
+      return light(lanes.cornerPosition(k), lanes.cornerNormal(k),
                    lanes.colored() ? lanes.cornerColor(k) : none);
     };
     return lanes.mix(atCorner(0), atCorner(1), atCorner(2));
@@ -412,20 +419,6 @@ void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
     if (style.outlineThreshold > 0.0f)
       color = choose(onOutline(lighting, lanes, style), set(style.outlineColor), color);
     store(color, batch.color, i);
-  }
-}
-
-void weighFragmentsKernel(FragmentBatch& batch)
-{
-  const D d;
-  const auto count = static_cast<std::size_t>(batch.count);
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const V s0 = hn::Load(d, batch.share[0] + i), s1 = hn::Load(d, batch.share[1] + i),
-            s2 = hn::Load(d, batch.share[2] + i);
-    const V inverse = hn::Div(set(1.0f), hn::Add(hn::Add(s0, s1), s2));
-    hn::Store(hn::Mul(s0, inverse), d, batch.weight[0] + i);
-    hn::Store(hn::Mul(s1, inverse), d, batch.weight[1] + i);
-    hn::Store(hn::Mul(s2, inverse), d, batch.weight[2] + i);
   }
 }
 

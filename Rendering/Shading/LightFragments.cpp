@@ -13,14 +13,8 @@
 #if HWY_ONCE
 namespace limn {
 
-HWY_EXPORT(weighFragmentsKernel);
 HWY_EXPORT(lightFragmentsKernel);
 HWY_EXPORT(quantizeFragmentsKernel);
-
-void weighFragments(FragmentBatch& batch)
-{
-  HWY_DYNAMIC_DISPATCH(weighFragmentsKernel)(batch);
-}
 
 void lightFragments(const ShadingContext& context, FragmentBatch& batch)
 {

@@ -14,9 +14,10 @@ std::uint32_t PlacedScene::instanceOf(std::uint32_t cluster) const
   return static_cast<std::uint32_t>(next - instances.begin() - 1);
 }
 
-PlacedScene placeScene(const Scene& scene, int width, int height)
+PlacedScene placeScene(const Scene& scene, int width, int height,
+                       const Optimizations& optimizations)
 {
-  PlacedScene placed = {&scene, width, height, {}, {}, 0};
+  PlacedScene placed = {&scene, width, height, {}, {}, 0, optimizations};
   for (const Light& light : scene.lights)
     placed.lights.push_back(makeViewLight(light, scene.camera));
   placed.instances.reserve(scene.instances.size());

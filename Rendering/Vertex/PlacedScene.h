@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Optimizations.h"
 #include "Rendering/Scene.h"
 #include "Rendering/Vertex/ViewSpace.h"
 
@@ -26,12 +27,14 @@ struct PlacedScene {
   std::vector<PlacedInstance> instances;  ///< in draw order
   std::vector<ViewLight> lights;
   std::uint32_t clusterCount;
+  Optimizations optimizations;
 
   /// The instance to which a cluster of the frame belongs.
   std::uint32_t instanceOf(std::uint32_t cluster) const;
 };
 
 /// Requires: a scene that checkScene() accepted.
-PlacedScene placeScene(const Scene& scene, int width, int height);
+PlacedScene placeScene(const Scene& scene, int width, int height,
+                       const Optimizations& optimizations = {});
 
 }  // namespace limn

@@ -3,56 +3,38 @@
 //
 // Compiled once per instruction set by TransformVertices.cpp.
 #include "Rendering/Base/Simd.h"
+#include "Rendering/Vertex/ScreenLanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Four sums of a matrix and homogeneous points, one point a lane.
-template <class D, class V = hn::Vec<D>>
-struct ClipLanes {
-  V x, y, z, w;
-};
-
-template <class D, class T, class V>
-HWY_INLINE ClipLanes<D> clipLanes(D d, const Mat4<T>& m, V x, V y, V z)
+/// Sums up the vertices' boxes and flags. Lanes behind the last vertex count as the first vertex.
+void boundVertices(std::size_t count, ScreenVertices& screen)
 {
-  const auto row = [&](int r) HWY_ATTR {
-    const V left = hn::Add(hn::Mul(hn::Set(d, m.m[r][0]), x), hn::Mul(hn::Set(d, m.m[r][1]), y));
-    const V right = hn::Add(hn::Mul(hn::Set(d, m.m[r][2]), z), hn::Set(d, m.m[r][3]));
-    return hn::Add(left, right);
-  };
-  return {row(0), row(1), row(2), row(3)};
-}
-
-/// Viewport coordinates before rounding; lanes that need clipping are zero.
-template <class D, class V = hn::Vec<D>>
-struct ScreenLanes {
-  V x, y, depth, inverseW;
-  hn::Mask<D> needsClip;
-};
-
-template <class D>
-HWY_INLINE ScreenLanes<D> screenLanes(D d, const InstanceTransform& transform, ClipLanes<D> clip)
-{
-  using T = hn::TFromD<D>;
-  using V = hn::Vec<D>;
-  const V zero = hn::Zero(d), half = hn::Set(d, T(0.5));
-  const V guard = hn::Set(d, static_cast<T>(kGuardSubpixels));
-  const V sx = hn::Set(d, static_cast<T>(transform.subpixelsX));
-  const V sy = hn::Set(d, static_cast<T>(transform.subpixelsY));
-  const V inverseW = hn::Div(hn::Set(d, T(1)), clip.w);
-  const V x = hn::Add(hn::Mul(hn::Mul(clip.x, inverseW), sx), sx);
-  const V y = hn::Add(hn::Mul(hn::Mul(clip.y, inverseW), sy), sy);
-  const auto inFront = hn::And(hn::Ge(hn::Add(clip.z, clip.w), zero),
-                               hn::Ge(clip.w, hn::Set(d, static_cast<T>(kSmallestW))));
-  const auto inGuard = hn::And(hn::Le(hn::Abs(x), guard), hn::Le(hn::Abs(y), guard));
-  const auto drawable = hn::And(inFront, inGuard);
-  const V depth = hn::Add(hn::Mul(hn::Mul(clip.z, inverseW), half), half);
-  return {hn::IfThenElseZero(drawable, x), hn::IfThenElseZero(drawable, y),
-          hn::IfThenElseZero(drawable, depth), hn::IfThenElseZero(drawable, inverseW),
-          hn::Not(drawable)};
+  const hn::ScalableTag<std::int32_t> d;
+  using V = hn::Vec<decltype(d)>;
+  const auto smaller = [](V a, V b) HWY_ATTR { return hn::IfThenElse(hn::Lt(a, b), a, b); };
+  const auto larger = [](V a, V b) HWY_ATTR { return hn::IfThenElse(hn::Gt(a, b), a, b); };
+  const V firstX = hn::Set(d, screen.x[0]), firstY = hn::Set(d, screen.y[0]);
+  V minX = firstX, maxX = firstX, minY = firstY, maxY = firstY, clip = hn::Zero(d);
+  const V end = hn::Set(d, static_cast<std::int32_t>(count));
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const auto real = hn::Lt(hn::Iota(d, static_cast<std::int32_t>(i)), end);
+    const V x = hn::IfThenElse(real, hn::Load(d, screen.x + i), firstX);
+    const V y = hn::IfThenElse(real, hn::Load(d, screen.y + i), firstY);
+    minX = smaller(minX, x);
+    maxX = larger(maxX, x);
+    minY = smaller(minY, y);
+    maxY = larger(maxY, y);
+    clip = hn::Or(clip, hn::IfThenElseZero(real, hn::Load(d, screen.needsClip + i)));
+  }
+  screen.minX = hn::GetLane(hn::MinOfLanes(d, minX));
+  screen.maxX = hn::GetLane(hn::MaxOfLanes(d, maxX));
+  screen.minY = hn::GetLane(hn::MinOfLanes(d, minY));
+  screen.maxY = hn::GetLane(hn::MaxOfLanes(d, maxY));
+  screen.anyNeedsClip = !hn::AllTrue(d, hn::Eq(clip, hn::Zero(d)));
 }
 
 void transformInFloat(const PlacedCluster& cluster, ScreenVertices& screen)
@@ -83,8 +65,7 @@ void transformInDouble(const PlacedCluster& cluster, ScreenVertices& screen)
   const ClusteredMesh& mesh = cluster.mesh();
   const InstanceTransform& transform = cluster.placed->transform;
   const std::size_t first = cluster.cluster->firstVertex;
-  const auto load = [&](const std::vector<float>& high, const std::vector<float>& low,
-                        std::size_t i) HWY_ATTR {
+  const auto load = [&](const Array<float>& high, const Array<float>& low, std::size_t i) HWY_ATTR {
     const auto h = hn::PromoteTo(d, hn::LoadU(df, high.data() + first + i));
     // Adding +0 makes -0 into +0, as the scalar code does.
     const auto l =
@@ -111,6 +92,7 @@ void transformVerticesKernel(const PlacedCluster& cluster, ScreenVertices& scree
     transformInDouble(cluster, screen);
   else
     transformInFloat(cluster, screen);
+  boundVertices(cluster.cluster->vertexCount, screen);
 }
 
 }  // namespace limn::HWY_NAMESPACE

@@ -26,17 +26,16 @@ void transformVertices(const PlacedCluster& cluster, ScreenVertices& screen)
   HWY_DYNAMIC_DISPATCH(transformVerticesKernel)(cluster, screen);
 }
 
-ClippedTriangle clipClusterTriangle(const PlacedCluster& cluster, std::uint32_t triangle,
-                                    const ScreenVertices& screen)
+ClippedTriangle clipClusterTriangle(const PlacedCluster& cluster, std::uint32_t triangle)
 {
+  const InstanceTransform& transform = cluster.placed->transform;
   ClipPoint clip[3];
   ScreenVertex corner[3];
   for (int k = 0; k < 3; ++k) {
-    const std::uint32_t vertex = cluster.corner(triangle, k);
-    clip[k] = clipPoint(cluster.placed->transform, cluster.position(vertex));
-    corner[k] = screen.vertex(vertex);
+    clip[k] = clipPoint(transform, cluster.position(cluster.corner(triangle, k)));
+    corner[k] = screenVertex(transform, clip[k]);
   }
-  return clipTriangle(cluster.placed->transform, clip, corner);
+  return clipTriangle(transform, clip, corner);
 }
 
 }  // namespace limn

@@ -47,6 +47,37 @@ TEST_P(EveryTarget, DrawsLikeTheReference)
   EXPECT_GT(coveredPixels, 1000000u) << "the scenes must show something";
 }
 
+TEST_P(EveryTarget, DrawsFineMeshesLikeTheReference)
+{
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kFine);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    ASSERT_EQ(drawn(random, {Backend::kPipeline, 2}).differingPixels(expected), 0u)
+        << "seed " << seed;
+  }
+}
+
+TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)
+{
+  std::size_t occluded = 0;
+  for (std::uint32_t seed = 100; seed < 140; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kFine);
+    Picture fast = random.canvas();
+    RenderStats stats;
+    ASSERT_TRUE(
+        render(random.scene(), fast.frame(random.background()), {Backend::kPipeline, 2}, &stats)
+            .ok());
+    occluded += stats.occludedClusters;
+    for (bool Optimizations::*one :
+         {&Optimizations::occlusionCulling, &Optimizations::smallClusters}) {
+      RenderOptions options = {Backend::kPipeline, 2};
+      options.optimizations.*one = false;
+      ASSERT_EQ(drawn(random, options).differingPixels(fast), 0u) << "seed " << seed;
+    }
+  }
+  EXPECT_GT(occluded, 1000u);
+}
+
 INSTANTIATE_TEST_SUITE_P(Targets, EveryTarget, ::testing::ValuesIn(availableTargets()),
                          [](const auto& target) { return target.param; });
 

@@ -9,6 +9,7 @@
 namespace limn::testing {
 namespace {
 
+constexpr double kPi = 3.14159265358979323846;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 Mat4d lookAt(Vec3d eye, Vec3d target)
@@ -83,6 +84,29 @@ std::vector<Vec3d> makeShape(Random& random, Shape shape, OwnedMesh& mesh)
   return points;
 }
 
+/// Rings of quads about the y axis, each cut in two.
+std::vector<Vec3d> makeBumpySphere(Random& random, OwnedMesh& mesh)
+{
+  const std::uint32_t side = 40 + random.below(90);
+  const double bumps = random.between(0, 0.2), waves = random.between(1, 12);
+  const Vec3d centre = random.inBox(0.7);
+  std::vector<Vec3d> points;
+  for (std::uint32_t j = 0; j <= side; ++j)
+    for (std::uint32_t i = 0; i < side; ++i) {
+      const double u = 2 * kPi * i / side, v = kPi * j / side;
+      const double r = 0.6 + bumps * std::sin(waves * u) * std::sin(waves * v);
+      points.push_back(centre + Vec3d{r * std::sin(v) * std::cos(u), r * std::cos(v),
+                                      r * std::sin(v) * std::sin(u)});
+    }
+  for (std::uint32_t j = 0; j < side; ++j)
+    for (std::uint32_t i = 0; i < side; ++i) {
+      const std::uint32_t a = j * side + i, b = j * side + (i + 1) % side;
+      addTriangle(mesh, a, b, b + side);
+      addTriangle(mesh, a, b + side, a + side);
+    }
+  return points;
+}
+
 }  // namespace
 
 Picture::Picture(int w, int h) : width(w), height(h)
@@ -113,7 +137,7 @@ std::size_t Picture::differingPixels(const Picture& other) const
   return count;
 }
 
-RandomScene::RandomScene(std::uint32_t seed) : seed_(seed)
+RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
 {
   Random random(seed);
   width_ = 1 + static_cast<int>(random.below(150));
@@ -121,7 +145,7 @@ RandomScene::RandomScene(std::uint32_t seed) : seed_(seed)
   centre_ = random.chance(4) ? random.inBox(1e7) : Vec3d{0, 0, 0};
   const std::uint32_t meshes = 1 + random.below(3);
   for (std::uint32_t i = 0; i < meshes; ++i)
-    addMesh(random);
+    addMesh(random, detail);
   for (std::uint32_t i = 0; i < meshes; ++i)
     instances_.push_back(instanceOf(random, *meshes_[i], 7 + i));
   if (random.chance(3)) instances_.push_back(instanceOf(random, *meshes_[0], 42));
@@ -151,11 +175,12 @@ Picture RandomScene::canvas() const
   return picture;
 }
 
-void RandomScene::addMesh(Random& random)
+void RandomScene::addMesh(Random& random, Detail detail)
 {
   auto mesh = std::make_unique<OwnedMesh>();
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
-  std::vector<Vec3d> points = makeShape(random, shape, *mesh);
+  std::vector<Vec3d> points =
+      detail == Detail::kFine ? makeBumpySphere(random, *mesh) : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
     points[random.below(static_cast<std::uint32_t>(points.size()))].y = kInfinity;
     points[random.below(static_cast<std::uint32_t>(points.size()))].z = std::nan("");

@@ -68,7 +68,11 @@ struct Picture {
 /// tiny triangles, coordinates far from the origin, broken indices and NaN.
 class RandomScene {
  public:
-  explicit RandomScene(std::uint32_t seed);
+  enum class Detail {
+    kAny,   ///< up to some hundred triangles of every kind
+    kFine,  ///< closed, bumpy surfaces of ten thousands, which hide each other and their own backs
+  };
+  explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
   const Scene& scene() const { return scene_; }
   Background background() const { return background_; }
@@ -76,7 +80,7 @@ class RandomScene {
   Picture canvas() const;
 
  private:
-  void addMesh(Random& random);
+  void addMesh(Random& random, Detail detail);
   void addAttributes(Random& random, OwnedMesh& mesh);
   Instance instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id);
   Style randomStyle(Random& random, const OwnedMesh& mesh);

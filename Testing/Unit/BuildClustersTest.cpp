@@ -54,9 +54,6 @@ std::vector<int> checkedTriangleCounts(const Mesh& mesh, const ClusteredMesh& cl
     }
     for (std::size_t t = cluster.firstTriangle; t < cluster.firstTriangle + cluster.triangleCount;
          ++t) {
-      if (t > cluster.firstTriangle) {
-        EXPECT_LT(clusters.triangle[t - 1], clusters.triangle[t]);
-      }
       ++counts[clusters.triangle[t]];
       for (int k = 0; k < 3; ++k)
         EXPECT_EQ(clusters.vertex[cluster.firstVertex + clusters.corner[k][t]],
@@ -103,10 +100,10 @@ TEST(BuildClusters, AreWellFilledOnAGrid)
   const ClusteredMesh clusters = clustersOf(meshOf(torus(300, 300, 1, 0.4)));
   const double fill =
       static_cast<double>(clusters.triangleCount) / static_cast<double>(clusters.clusters.size());
-  EXPECT_GT(fill, 75.0);
+  EXPECT_GT(fill, 72.0);
   const double bytes =
       static_cast<double>(clusters.bytes()) / static_cast<double>(clusters.triangleCount);
-  EXPECT_LT(bytes, 21.0);
+  EXPECT_LT(bytes, 20.0);
 }
 
 TEST(BuildClusters, DoNotDependOnTheThreads)

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Compiled once per instruction set by PlaceFragments.cpp.
+#include "Rendering/Base/Simd.h"
+#include "Rendering/Vertex/ScreenLanes-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Arrays as vectors of lanes see them, gathered by index.
+class Gatherer {
+ public:
+  using DF = hn::ScalableTag<float>;
+  using DI = hn::ScalableTag<std::int32_t>;
+  using VI = hn::Vec<DI>;
+
+  Gatherer(const TileClusters& clusters, const PlacedInstance& placed, FragmentBatch& batch)
+      : clusters_(clusters),
+        mesh_(placed.mesh()),
+        data_(placed.instance->attributes),
+        normals_(placed.instance->style.normals),
+        batch_(batch)
+  {
+  }
+
+  void gather(std::size_t i) const
+  {
+    const VI owner = hn::BitCast(DI(), hn::Load(hn::RebindToUnsigned<DI>(), batch_.owner + i));
+    const VI slot = hn::ShiftRight<TileOwner::kTriangleBits>(owner);
+    const VI number = hn::And(owner, hn::Set(DI(), (1 << TileOwner::kTriangleBits) - 1));
+    const VI entry = hn::Mul(
+        slot, hn::Set(DI(), static_cast<std::int32_t>(sizeof(TileCluster) / sizeof(std::int32_t))));
+    const VI place = hn::Add(indices(&clusters_.list[0].firstTriangle, entry), number);
+    const VI firstVertex = indices(&clusters_.list[0].firstVertex, entry);
+    for (int k = 0; k < 3; ++k) {
+      // Reads the three bytes behind too, which the spare elements allow.
+      const VI corner = hn::GatherOffset(
+          DI(), reinterpret_cast<const std::int32_t*>(mesh_.corner[k].data()), place);
+      gatherCorner(hn::Add(firstVertex, hn::And(corner, hn::Set(DI(), 0xFF))), k, i);
+    }
+    const bool cellColors = data_.vertexColors.empty() && !data_.cellColors.empty();
+    if (!cellColors && normals_ != NormalSource::kCell) return;
+    const VI triangle = indices(mesh_.triangle.data(), place);
+    const VI cell = data_.cells.empty() ? triangle : indices(data_.cells.data(), triangle);
+    if (cellColors) storeColor(data_.cellColors.data(), cell, batch_.cornerColor[0], i);
+    if (normals_ == NormalSource::kCell)
+      storeVectors(data_.cellNormals.data(), cell, batch_.cornerNormal[0], i);
+  }
+
+ private:
+  static HWY_INLINE VI indices(const std::uint32_t* from, VI index)
+  {
+    return hn::GatherIndex(DI(), reinterpret_cast<const std::int32_t*>(from), index);
+  }
+
+  HWY_INLINE void gatherCorner(VI vertex, int k, std::size_t i) const
+  {
+    const auto store = [&](const Array<float>& from, float* to) HWY_ATTR {
+      hn::Store(hn::GatherIndex(DF(), from.data(), vertex), DF(), to + i);
+    };
+    store(mesh_.x, batch_.corner[k].x);
+    store(mesh_.y, batch_.corner[k].y);
+    store(mesh_.z, batch_.corner[k].z);
+    if (mesh_.hasLowParts()) {
+      store(mesh_.xLow, batch_.cornerLow[k].x);
+      store(mesh_.yLow, batch_.cornerLow[k].y);
+      store(mesh_.zLow, batch_.cornerLow[k].z);
+    }
+    const bool vertexNormals = normals_ == NormalSource::kVertex;
+    if (!vertexNormals && data_.vertexColors.empty()) return;
+    const VI meshVertex = indices(mesh_.vertex.data(), vertex);
+    if (vertexNormals)
+      storeVectors(data_.vertexNormals.data(), meshVertex, batch_.cornerNormal[k], i);
+    if (!data_.vertexColors.empty())
+      storeColor(data_.vertexColors.data(), meshVertex, batch_.cornerColor[k], i);
+  }
+
+  static HWY_INLINE void storeVectors(const Vec3f* from, VI index, FragmentBatch::Vectors& to,
+                                      std::size_t i)
+  {
+    const VI first = hn::Add(index, hn::Add(index, index));
+    const float* floats = &from->x;
+    hn::Store(hn::GatherIndex(DF(), floats, first), DF(), to.x + i);
+    hn::Store(hn::GatherIndex(DF(), floats + 1, first), DF(), to.y + i);
+    hn::Store(hn::GatherIndex(DF(), floats + 2, first), DF(), to.z + i);
+  }
+
+  static HWY_INLINE void storeColor(const Rgba8* from, VI index, FragmentBatch::Vectors& to,
+                                    std::size_t i)
+  {
+    const VI rgba = hn::GatherIndex(DI(), reinterpret_cast<const std::int32_t*>(from), index);
+    const VI byte = hn::Set(DI(), 0xFF);
+    hn::Store(hn::ConvertTo(DF(), hn::And(rgba, byte)), DF(), to.x + i);
+    hn::Store(hn::ConvertTo(DF(), hn::And(hn::ShiftRight<8>(rgba), byte)), DF(), to.y + i);
+    hn::Store(hn::ConvertTo(DF(), hn::And(hn::ShiftRight<16>(rgba), byte)), DF(), to.z + i);
+  }
+
+  const TileClusters& clusters_;
+  const ClusteredMesh& mesh_;
+  const Attributes& data_;
+  NormalSource normals_;
+  FragmentBatch& batch_;
+};
+
+void gatherFragmentsKernel(const TileClusters& clusters, const PlacedInstance& placed,
+                           FragmentBatch& batch)
+{
+  const auto count = static_cast<std::size_t>(batch.count);
+  const std::size_t lanes = hn::Lanes(Gatherer::DI());
+  for (std::size_t i = count; i % lanes != 0; ++i)
+    batch.owner[i] = batch.owner[0];
+  const Gatherer gatherer(clusters, placed, batch);
+  for (std::size_t i = 0; i < count; i += lanes)
+    gatherer.gather(i);
+}
+
+/// Corners on the screen, one array element a fragment.
+struct alignas(64) ScreenCorners {
+  std::int32_t x[3][FragmentBatch::kCapacity], y[3][FragmentBatch::kCapacity];
+  float inverseW[3][FragmentBatch::kCapacity];
+};
+
+void placeInFloat(const InstanceTransform& transform, FragmentBatch& batch, ScreenCorners& screen)
+{
+  const hn::ScalableTag<float> d;
+  const hn::RebindToSigned<decltype(d)> di;
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    auto clip = hn::Zero(di);
+    for (int k = 0; k < 3; ++k) {
+      const FragmentBatch::Vectors& p = batch.corner[k];
+      const auto lanes = screenLanes(d, transform,
+                                     clipLanes(d, transform.toClipFloat, hn::Load(d, p.x + i),
+                                               hn::Load(d, p.y + i), hn::Load(d, p.z + i)));
+      hn::Store(hn::NearestInt(lanes.x), di, screen.x[k] + i);
+      hn::Store(hn::NearestInt(lanes.y), di, screen.y[k] + i);
+      hn::Store(lanes.inverseW, d, screen.inverseW[k] + i);
+      clip = hn::Or(clip, hn::BitCast(di, hn::VecFromMask(d, lanes.needsClip)));
+    }
+    hn::Store(clip, di, batch.needsClip + i);
+  }
+}
+
+void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch, ScreenCorners& screen)
+{
+  const hn::ScalableTag<double> d;
+  const hn::Rebind<float, decltype(d)> df;
+  const hn::Rebind<std::int32_t, decltype(d)> di;
+  using V = hn::Vec<decltype(d)>;
+  const bool hasLow = transform.hasLowParts;
+  const auto sum = [&](const float* high, const float* low) HWY_ATTR {
+    // Adding +0 makes -0 into +0, as the scalar code does.
+    const V l = hasLow ? hn::PromoteTo(d, hn::Load(df, low)) : hn::Zero(d);
+    return hn::Add(hn::PromoteTo(d, hn::Load(df, high)), l);
+  };
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    V clip = hn::Zero(d), x0 = clip, y0 = clip, z0 = clip;
+    for (int k = 0; k < 3; ++k) {
+      const FragmentBatch::Vectors &h = batch.corner[k], &l = batch.cornerLow[k];
+      const V x = sum(h.x + i, l.x + i), y = sum(h.y + i, l.y + i), z = sum(h.z + i, l.z + i);
+      const auto lanes = screenLanes(d, transform, clipLanes(d, transform.toClip, x, y, z));
+      hn::Store(hn::DemoteTo(di, hn::Round(lanes.x)), di, screen.x[k] + i);
+      hn::Store(hn::DemoteTo(di, hn::Round(lanes.y)), di, screen.y[k] + i);
+      hn::Store(hn::DemoteTo(df, lanes.inverseW), df, screen.inverseW[k] + i);
+      clip = hn::Or(clip, hn::IfThenElseZero(lanes.needsClip, hn::Set(d, -1.0)));
+      if (!hasLow) continue;
+      const auto view = clipLanes(d, transform.toView, x, y, z);
+      hn::Store(hn::DemoteTo(df, view.x), df, batch.viewCorner[k].x + i);
+      hn::Store(hn::DemoteTo(df, view.y), df, batch.viewCorner[k].y + i);
+      hn::Store(hn::DemoteTo(df, view.z), df, batch.viewCorner[k].z + i);
+      if (k == 0) {
+        x0 = x;
+        y0 = y;
+        z0 = z;
+        continue;
+      }
+      hn::Store(hn::DemoteTo(df, hn::Sub(x, x0)), df, batch.edge[k - 1].x + i);
+      hn::Store(hn::DemoteTo(df, hn::Sub(y, y0)), df, batch.edge[k - 1].y + i);
+      hn::Store(hn::DemoteTo(df, hn::Sub(z, z0)), df, batch.edge[k - 1].z + i);
+    }
+    hn::Store(hn::DemoteTo(di, clip), di, batch.needsClip + i);
+  }
+}
+
+/// Edge values in double: below 2^50, so every step but the last, to float, is exact.
+void weigh(bool mirrored, const ScreenCorners& screen, FragmentBatch& batch)
+{
+  const hn::ScalableTag<double> d;
+  const hn::Rebind<float, decltype(d)> df;
+  const hn::Rebind<std::int32_t, decltype(d)> di;
+  using V = hn::Vec<decltype(d)>;
+  const auto load = [&](const std::int32_t* from)
+                        HWY_ATTR { return hn::PromoteTo(d, hn::Load(di, from)); };
+  const auto outside = hn::Set(df, mirrored ? -1.0f : 1.0f);
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+    const V x[3] = {load(screen.x[0] + i), load(screen.x[1] + i), load(screen.x[2] + i)};
+    const V y[3] = {load(screen.y[0] + i), load(screen.y[1] + i), load(screen.y[2] + i)};
+    const V px = load(batch.pointX + i), py = load(batch.pointY + i);
+    // Twice the area of corners a, b and a point, with a sign; `turned` swaps what is subtracted,
+    // so that zero stays +0.
+    const auto edge = [&](int a, int b, V atX, V atY, hn::Mask<decltype(d)> turned) HWY_ATTR {
+      const V p = hn::Mul(hn::Sub(x[b], x[a]), hn::Sub(atY, y[a]));
+      const V q = hn::Mul(hn::Sub(y[b], y[a]), hn::Sub(atX, x[a]));
+      return hn::Sub(hn::IfThenElse(turned, q, p), hn::IfThenElse(turned, p, q));
+    };
+    const auto never = hn::Lt(px, px);
+    const auto clockwise = hn::Lt(edge(0, 1, x[2], y[2], never), hn::Zero(d));
+    const auto share = [&](int k) HWY_ATTR {
+      return hn::Mul(hn::DemoteTo(df, edge((k + 1) % 3, (k + 2) % 3, px, py, clockwise)),
+                     hn::Load(df, screen.inverseW[k] + i));
+    };
+    const auto s0 = share(0), s1 = share(1), s2 = share(2);
+    const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
+    hn::Store(hn::Mul(s0, inverse), df, batch.weight[0] + i);
+    hn::Store(hn::Mul(s1, inverse), df, batch.weight[1] + i);
+    hn::Store(hn::Mul(s2, inverse), df, batch.weight[2] + i);
+    const auto turned = hn::DemoteTo(df, hn::IfThenElseZero(clockwise, hn::Set(d, 1.0)));
+    hn::Store(hn::IfThenElse(hn::Gt(turned, hn::Zero(df)), hn::Neg(outside), outside), df,
+              batch.side + i);
+  }
+}
+
+void placeFragmentsKernel(const InstanceTransform& transform, FragmentBatch& batch)
+{
+  ScreenCorners screen;
+  if (transform.precise)
+    placeInDouble(transform, batch, screen);
+  else
+    placeInFloat(transform, batch, screen);
+  weigh(transform.mirrored, screen, batch);
+}
+
+}  // namespace limn::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
