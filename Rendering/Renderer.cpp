@@ -23,8 +23,8 @@ namespace {
 struct TileMemory {
   std::vector<TileCluster> ordered;
   VisibilityTile visible;
-  std::vector<Fragment> fragments;
-  std::vector<Rgba8> colors;
+  FragmentList fragments;
+  Array<Rgba8> colors;
   FragmentShader shader;
 };
 

@@ -12,6 +12,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <cstdlib>
+#include <cstring>
 
 namespace
 {
@@ -55,48 +56,62 @@ bool Holds(Array* array, const Region& region, int components)
          array->GetNumberOfTuples() >= static_cast<vtkIdType>(region.GetSize());
 }
 
+// Pixels outside the window are black and transparent, or the farthest.
+template <class Planes, class Value, class ReadRow>
+void Read(const vtkLimnRenderWindow::vtkFrame& frame, const Planes& plane, const Region& region,
+  int components, Value outside, Value* out, ReadRow readRow)
+{
+  const Region inside = frame.Clip(region);
+  if (inside.Width != region.Width || inside.Height != region.Height)
+  {
+    std::fill_n(out, components * region.GetSize(), outside);
+  }
+  frame.ForEachRow(plane, region,
+    [&](const auto* pixels, size_t count, size_t index)
+    { readRow(pixels, count, out + components * index); });
+}
+
 void ReadRgb(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, unsigned char* out)
 {
-  frame.ForEach(frame.Color, region,
-    [out](const limn::Rgba8* pixel, size_t index)
+  Read(frame, frame.Color, region, 3, static_cast<unsigned char>(0), out,
+    [](const limn::Rgba8* pixels, size_t count, unsigned char* row)
     {
-      const limn::Rgba8 color = pixel ? *pixel : limn::Rgba8{ 0, 0, 0, 0 };
-      out[3 * index] = color.r;
-      out[3 * index + 1] = color.g;
-      out[3 * index + 2] = color.b;
+      for (size_t i = 0; i < count; ++i)
+      {
+        row[3 * i] = pixels[i].r;
+        row[3 * i + 1] = pixels[i].g;
+        row[3 * i + 2] = pixels[i].b;
+      }
     });
 }
 
 void ReadRgba(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, unsigned char* out)
 {
-  frame.ForEach(frame.Color, region,
-    [out](const limn::Rgba8* pixel, size_t index)
-    {
-      const limn::Rgba8 color = pixel ? *pixel : limn::Rgba8{ 0, 0, 0, 0 };
-      out[4 * index] = color.r;
-      out[4 * index + 1] = color.g;
-      out[4 * index + 2] = color.b;
-      out[4 * index + 3] = color.a;
-    });
+  Read(frame, frame.Color, region, 4, static_cast<unsigned char>(0), out,
+    [](const limn::Rgba8* pixels, size_t count, unsigned char* row)
+    { std::memcpy(row, pixels, 4 * count); });
 }
 
 void ReadFloats(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, float* out)
 {
-  frame.ForEach(frame.Color, region,
-    [out](const limn::Rgba8* pixel, size_t index)
+  Read(frame, frame.Color, region, 4, 0.0f, out,
+    [](const limn::Rgba8* pixels, size_t count, float* row)
     {
-      const limn::Rgba8 color = pixel ? *pixel : limn::Rgba8{ 0, 0, 0, 0 };
-      out[4 * index] = color.r / 255.0f;
-      out[4 * index + 1] = color.g / 255.0f;
-      out[4 * index + 2] = color.b / 255.0f;
-      out[4 * index + 3] = color.a / 255.0f;
+      for (size_t i = 0; i < count; ++i)
+      {
+        row[4 * i] = pixels[i].r / 255.0f;
+        row[4 * i + 1] = pixels[i].g / 255.0f;
+        row[4 * i + 2] = pixels[i].b / 255.0f;
+        row[4 * i + 3] = pixels[i].a / 255.0f;
+      }
     });
 }
 
 void ReadDepth(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, float* out)
 {
-  frame.ForEach(frame.Depth, region,
-    [out](const float* depth, size_t index) { out[index] = depth ? *depth : 1.0f; });
+  Read(frame, frame.Depth, region, 1, 1.0f, out,
+    [](const float* depths, size_t count, float* row)
+    { std::memcpy(row, depths, count * sizeof(float)); });
 }
 
 /// Writes colorAt(index) to the pixels of the region.

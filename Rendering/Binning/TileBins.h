@@ -15,12 +15,16 @@ namespace limn {
 struct ClusterBounds {
   std::int16_t x0, y0, x1, y1;
   float nearest;
+  /// The box was not cut by the viewport, and no vertex lies before the near plane.
+  bool isWhole;
+  // The cluster's own, beside what is read of every cluster of a tile.
+  std::uint8_t vertexCount, triangleCount;
+  std::uint32_t firstVertex, firstTriangle;
 
   bool empty() const { return x0 >= x1; }
 };
 
-/// For each tile the clusters that may touch it, as numbers of a PlacedScene, in any order: the
-/// picture does not depend on it.
+/// For each tile the clusters that may touch it, as numbers of a PlacedScene, ascending.
 struct TileBins {
   TileGrid grid;
   std::vector<std::uint32_t> firstEntry;  ///< per tile, and one more: the end

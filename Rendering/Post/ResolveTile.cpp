@@ -4,6 +4,8 @@
 
 #include "Rendering/Base/ResolveTable.h"
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -86,25 +88,31 @@ void writeNames(const TileClusters& clusters, std::uint32_t owner, const FrameVi
 
 /// One sample a pixel: nothing to mix.
 void copyTile(const TileClusters& clusters, const VisibilityTile& tile, const TileRectangle& pixels,
-              const std::vector<Fragment>& fragments, const std::vector<Rgba8>& colors,
-              const FrameView& frame)
+              const FragmentList& fragments, const Array<Rgba8>& colors, const FrameView& frame)
 {
-  for (std::size_t f = 0; f < fragments.size(); ++f) {
-    const int pixel = fragments[f].pixel;
-    const std::ptrdiff_t index =
-        (pixels.y0 + pixel / kTileSide) * frame.rowStride + pixels.x0 + pixel % kTileSide;
-    frame.color[index] = colors[f];
-    frame.depth[index] = tile.depth[0][pixel];
-    if (frame.coverage != nullptr) frame.coverage[index] = 1;
-    writeNames(clusters, fragments[f].owner, frame, index);
-  }
+  const auto indexOf = [&](std::uint32_t pixel) {
+    return (pixels.y0 + static_cast<std::ptrdiff_t>(pixel / kTileSide)) * frame.rowStride +
+           pixels.x0 + static_cast<std::ptrdiff_t>(pixel % kTileSide);
+  };
+  for (std::size_t f = 0; f < fragments.count; ++f)
+    frame.color[indexOf(fragments.pixel[f])] = colors[f];
+  // Where nobody is seen the tile holds the frame's own depth.
+  for (int y = pixels.y0; y < pixels.y1; ++y)
+    std::copy_n(tile.depth[0] + (y - pixels.y0) * kTileSide, pixels.x1 - pixels.x0,
+                frame.depth + y * frame.rowStride + pixels.x0);
+  if (frame.coverage != nullptr)
+    for (std::size_t f = 0; f < fragments.count; ++f)
+      frame.coverage[indexOf(fragments.pixel[f])] = 1;
+  if (frame.instance != nullptr || frame.cell != nullptr)
+    for (std::size_t f = 0; f < fragments.count; ++f)
+      writeNames(clusters, fragments.owner[f], frame, indexOf(fragments.pixel[f]));
 }
 
 }  // namespace
 
 void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
-                 const TileRectangle& pixels, const std::vector<Fragment>& fragments,
-                 const std::vector<Rgba8>& colors, const FrameView& frame)
+                 const TileRectangle& pixels, const FragmentList& fragments,
+                 const Array<Rgba8>& colors, const FrameView& frame)
 {
   const Scene& scene = *clusters.scene->scene;
   if (scene.samples == 1) {
@@ -113,8 +121,8 @@ void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
   }
   const auto samples = static_cast<std::uint32_t>(scene.samples);
   std::size_t next = 0;
-  while (next < fragments.size()) {
-    const std::size_t pixel = fragments[next].pixel;
+  while (next < fragments.count) {
+    const std::size_t pixel = fragments.pixel[next];
     const std::ptrdiff_t index =
         (pixels.y0 + static_cast<std::ptrdiff_t>(pixel) / kTileSide) * frame.rowStride + pixels.x0 +
         static_cast<std::ptrdiff_t>(pixel) % kTileSide;
@@ -123,11 +131,11 @@ void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
     std::uint32_t covered = 0;
     std::uint8_t coverage = 0;
     const std::size_t first = next;
-    for (; next < fragments.size() && fragments[next].pixel == pixel; ++next) {
-      const std::uint32_t count = bitCount(fragments[next].coverage);
+    for (; next < fragments.count && fragments.pixel[next] == pixel; ++next) {
+      const std::uint32_t count = bitCount(fragments.coverage[next]);
       sum.add(colors[next], count);
       covered += count;
-      coverage = static_cast<std::uint8_t>(coverage | fragments[next].coverage);
+      coverage = static_cast<std::uint8_t>(coverage | fragments.coverage[next]);
     }
     if (covered < samples && frame.background == Background::kBlend)
       sum.add(frame.color[index], samples - covered);

@@ -12,7 +12,7 @@ namespace limn {
 /// colours, the nearest sample's depth and names, and the coverage.
 /// Requires: `fragments` from collectFragments() of the tile, `colors` theirs.
 void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
-                 const TileRectangle& pixels, const std::vector<Fragment>& fragments,
-                 const std::vector<Rgba8>& colors, const FrameView& frame);
+                 const TileRectangle& pixels, const FragmentList& fragments,
+                 const Array<Rgba8>& colors, const FrameView& frame);
 
 }  // namespace limn

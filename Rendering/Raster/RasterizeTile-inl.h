@@ -3,6 +3,7 @@
 //
 // Compiled once per instruction set by RasterizeTile.cpp.
 #include "Rendering/Base/Simd.h"
+#include "Rendering/Vertex/ScreenLanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::HWY_NAMESPACE {
@@ -118,20 +119,23 @@ void drawLarge(const OrientedTriangle& triangle, std::uint32_t owner, const Tile
       }
 }
 
-/// A triangle with a box below kSmallBox, with edge values in int32. `i1`, `i2` are the second and
-/// third corner, counter-clockwise.
-HWY_INLINE void drawSmall(const ScreenVertices& screen, std::uint32_t i0, std::uint32_t i1,
-                          std::uint32_t i2, std::uint32_t owner, const TileTarget& target)
+struct SmallTriangle {
+  std::int32_t x[3], y[3];
+  float depth[3];
+};
+
+/// A counter-clockwise triangle with a box below kSmallBox, with edge values in int32.
+HWY_INLINE void drawSmall(const SmallTriangle& triangle, std::int32_t area, std::uint32_t owner,
+                          const TileTarget& target)
 {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
-  const std::int32_t x[3] = {screen.x[i0], screen.x[i1], screen.x[i2]};
-  const std::int32_t y[3] = {screen.y[i0], screen.y[i1], screen.y[i2]};
+  const auto& x = triangle.x;
+  const auto& y = triangle.y;
   const PixelBox box = target.box(std::min({x[0], x[1], x[2]}), std::min({y[0], y[1], y[2]}),
                                   std::max({x[0], x[1], x[2]}), std::max({y[0], y[1], y[2]}));
   if (box.empty()) return;
-  const std::int32_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-  const DepthPlane plane(screen.depth[i0], screen.depth[i1], screen.depth[i2],
+  const DepthPlane plane(triangle.depth[0], triangle.depth[1], triangle.depth[2],
                          static_cast<float>(area));
 
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -170,6 +174,21 @@ HWY_INLINE void drawSmall(const ScreenVertices& screen, std::uint32_t i0, std::u
         depthTest(d, target, s, index, covered, z, owner);
       }
   }
+}
+
+/// drawSmall() of a triangle of any winding.
+void drawOriented(SmallTriangle triangle, const Instance& instance, std::uint32_t owner,
+                  const TileTarget& target)
+{
+  const auto &x = triangle.x, &y = triangle.y;
+  const std::int32_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
+  if (area == 0 || (area < 0 ? instance.cullBackFaces : instance.cullFrontFaces)) return;
+  if (area < 0) {
+    std::swap(triangle.x[1], triangle.x[2]);
+    std::swap(triangle.y[1], triangle.y[2]);
+    std::swap(triangle.depth[1], triangle.depth[2]);
+  }
+  drawSmall(triangle, area < 0 ? -area : area, owner, target);
 }
 
 /// Draws one triangle by the general way: clipped pieces, or a box too large for int32.
@@ -256,10 +275,9 @@ void drawAnyCluster(const PlacedCluster& cluster, const ScreenVertices& screen, 
     const auto kept = hn::And(hn::Or(drawn, general), hn::Not(missed));
     if (hn::AllFalse(d, kept)) continue;
 
-    std::uint8_t keptBits[8] = {}, generalBits[8] = {}, clockwiseBits[8] = {};
+    std::uint8_t keptBits[8] = {}, generalBits[8] = {};
     hn::StoreMaskBits(d, kept, keptBits);
     hn::StoreMaskBits(d, general, generalBits);
-    hn::StoreMaskBits(d, clockwise, clockwiseBits);
     const auto bit = [](const std::uint8_t* bits, std::size_t lane) {
       return (bits[lane / 8] >> (lane % 8) & 1) != 0;
     };
@@ -271,12 +289,14 @@ void drawAnyCluster(const PlacedCluster& cluster, const ScreenVertices& screen, 
         drawGeneral(cluster, screen, triangle, owner, target);
         continue;
       }
-      const std::uint32_t c0 = cluster.corner(triangle, 0), c1 = cluster.corner(triangle, 1),
-                          c2 = cluster.corner(triangle, 2);
-      if (bit(clockwiseBits, lane))
-        drawSmall(screen, c0, c2, c1, owner, target);
-      else
-        drawSmall(screen, c0, c1, c2, owner, target);
+      SmallTriangle corners;
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t v = cluster.corner(triangle, k);
+        corners.x[k] = screen.x[v];
+        corners.y[k] = screen.y[v];
+        corners.depth[k] = screen.depth[v];
+      }
+      drawOriented(corners, instance, owner, target);
     }
   }
 }
@@ -331,28 +351,25 @@ constexpr std::int32_t packed(std::int32_t x, std::int32_t y)
                                    (static_cast<std::uint32_t>(x) & 0xFFFFu));
 }
 
-/// A cluster below kSmallBox, with vertices relative to the whole pixel at or before its corner.
+/// A whole cluster below kSmallBox, with vertices relative to its box.
 class SmallCluster {
   static_assert(kSmallBox + 2 * kSubpixels < 1 << 15, "coordinates in a cluster fit int16");
 
  public:
-  SmallCluster(const PlacedCluster& cluster, const ScreenVertices& screen, std::uint32_t slot,
-               const TileTarget& target)
-      : cluster_(cluster),
-        screen_(screen),
+  SmallCluster(const TileCluster& cluster, std::uint32_t slot, const TileTarget& target)
+      : instance_(*cluster.cluster.placed->instance),
+        mesh_(cluster.cluster.mesh()),
+        bounds_(cluster.bounds),
         slot_(slot),
         target_(target),
-        baseX_(screen.minX >> kSubpixelBits),
-        baseY_(screen.minY >> kSubpixelBits)
+        baseX_(cluster.bounds.x0),
+        baseY_(cluster.bounds.y0)
   {
-    const auto baseX = hn::Set(d, baseX_ << kSubpixelBits);
-    const auto baseY = hn::Set(d, baseY_ << kSubpixelBits);
-    const auto lowHalf = hn::Set(d, 0xFFFF);
-    for (std::size_t i = 0; i < kMaxClusterVertices; i += hn::Lanes(d)) {
-      const auto x = hn::And(hn::Sub(hn::Load(d, screen.x + i), baseX), lowHalf);
-      const auto y = hn::ShiftLeft<16>(hn::Sub(hn::Load(d, screen.y + i), baseY));
-      hn::Store(hn::Or(x, y), d, packed_ + i);
-    }
+    const InstanceTransform& transform = cluster.cluster.placed->transform;
+    if (transform.precise)
+      placeInDouble(transform);
+    else
+      placeInFloat(transform);
   }
 
   void draw()
@@ -370,6 +387,51 @@ class SmallCluster {
   static constexpr hn::ScalableTag<float> df{};
   using VI = hn::Vec<hn::ScalableTag<std::int32_t>>;
   using VF = hn::Vec<hn::ScalableTag<float>>;
+
+  /// The vertices as transformVertices() has them, but relative and without what is not needed.
+  void placeInFloat(const InstanceTransform& transform)
+  {
+    const std::size_t first = bounds_.firstVertex;
+    for (std::size_t i = 0; i < bounds_.vertexCount; i += hn::Lanes(df)) {
+      const auto lanes = screenLanes(
+          df, transform,
+          clipLanes(df, transform.toClipFloat, hn::LoadU(df, mesh_.x.data() + first + i),
+                    hn::LoadU(df, mesh_.y.data() + first + i),
+                    hn::LoadU(df, mesh_.z.data() + first + i)));
+      hn::Store(pack(d, hn::NearestInt(lanes.x), hn::NearestInt(lanes.y)), d, packed_ + i);
+      hn::Store(lanes.depth, df, depth_ + i);
+    }
+  }
+  void placeInDouble(const InstanceTransform& transform)
+  {
+    const hn::ScalableTag<double> dd;
+    const hn::Rebind<float, decltype(dd)> dhf;
+    const hn::Rebind<std::int32_t, decltype(dd)> dh;
+    const std::size_t first = bounds_.firstVertex;
+    const auto load = [&](const Array<float>& high, const Array<float>& low,
+                          std::size_t i) HWY_ATTR {
+      const auto h = hn::PromoteTo(dd, hn::LoadU(dhf, high.data() + first + i));
+      const auto l =
+          low.empty() ? hn::Zero(dd) : hn::PromoteTo(dd, hn::LoadU(dhf, low.data() + first + i));
+      return hn::Add(h, l);
+    };
+    for (std::size_t i = 0; i < bounds_.vertexCount; i += hn::Lanes(dd)) {
+      const auto lanes =
+          screenLanes(dd, transform,
+                      clipLanes(dd, transform.toClip, load(mesh_.x, mesh_.xLow, i),
+                                load(mesh_.y, mesh_.yLow, i), load(mesh_.z, mesh_.zLow, i)));
+      const auto x = hn::DemoteTo(dh, hn::Round(lanes.x)), y = hn::DemoteTo(dh, hn::Round(lanes.y));
+      hn::Store(pack(dh, x, y), dh, packed_ + i);
+      hn::Store(hn::DemoteTo(dhf, lanes.depth), dhf, depth_ + i);
+    }
+  }
+  template <class DI, class V>
+  HWY_INLINE V pack(DI di, V x, V y) const
+  {
+    const V relativeX = hn::Sub(x, hn::Set(di, baseX_ << kSubpixelBits));
+    const V relativeY = hn::Sub(y, hn::Set(di, baseY_ << kSubpixelBits));
+    return hn::Or(hn::And(relativeX, hn::Set(di, 0xFFFF)), hn::ShiftLeft<16>(relativeY));
+  }
 
   /// A triangle in 32 bits: its number, and its corners' numbers.
   static HWY_INLINE VI cornerOf(VI triangle, int k)
@@ -398,14 +460,12 @@ class SmallCluster {
     const auto down = both(target_.lowest.x, target_.lowest.y);
     const auto three = both(7, 7);
 
-    const ClusteredMesh& mesh = cluster_.mesh();
-    const std::size_t first = cluster_.cluster->firstTriangle;
-    const std::size_t count = cluster_.cluster->triangleCount;
+    const std::size_t first = bounds_.firstTriangle, count = bounds_.triangleCount;
     const VI end = hn::Set(d, static_cast<std::int32_t>(count));
     for (std::size_t t = 0; t < count; t += hn::Lanes(d)) {
       // Behind the last triangle there are vertex numbers of some other cluster, below 64.
       const auto load = [&](int k) HWY_ATTR {
-        return hn::PromoteTo(d, hn::LoadU(d8, mesh.corner[k].data() + first + t));
+        return hn::PromoteTo(d, hn::LoadU(d8, mesh_.corner[k].data() + first + t));
       };
       const VI i0 = load(0), i1 = load(1), i2 = load(2);
       const auto a = hn::BitCast(d16, vertices[i0]), b = hn::BitCast(d16, vertices[i1]),
@@ -455,9 +515,8 @@ class SmallCluster {
                             hn::Mul(hn::Sub(xOf(p2), x0), hn::Sub(yOf(p1), y0)));
     const auto clockwise = hn::Lt(area, zero);
     auto drawn = hn::And(real, hn::Ne(area, zero));
-    const Instance& instance = *cluster_.placed->instance;
-    if (instance.cullBackFaces) drawn = hn::AndNot(clockwise, drawn);
-    if (instance.cullFrontFaces) drawn = hn::And(drawn, clockwise);
+    if (instance_.cullBackFaces) drawn = hn::AndNot(clockwise, drawn);
+    if (instance_.cullFrontFaces) drawn = hn::And(drawn, clockwise);
     if (hn::AllFalse(d, drawn)) return;
     const VI q1 = hn::IfThenElse(clockwise, p2, p1), q2 = hn::IfThenElse(clockwise, p1, p2);
     const VI x[3] = {x0, xOf(q1), xOf(q2)}, y[3] = {y0, yOf(q1), yOf(q2)};
@@ -499,7 +558,7 @@ class SmallCluster {
           least[i]);
     }
 
-    const auto depthOf = [&](VI i) HWY_ATTR { return hn::GatherIndex(df, screen_.depth, i); };
+    const auto depthOf = [&](VI i) HWY_ATTR { return hn::GatherIndex(df, depth_, i); };
     const VF z0 = depthOf(i0), zb = depthOf(i1), zc = depthOf(i2);
     const auto clockwiseF = hn::RebindMask(df, clockwise);
     const VF inverse = hn::Div(hn::Set(df, 1.0f), hn::ConvertTo(df, hn::Abs(area)));
@@ -580,27 +639,26 @@ class SmallCluster {
   /// Draws one triangle, a vector of pixels at a time.
   void drawMany(std::uint32_t triangle) const
   {
-    const std::uint32_t number = numberOf(triangle);
-    const std::uint32_t i0 = triangle & 63, i1 = triangle >> 8 & 63, i2 = triangle >> 16 & 63;
-    const std::int32_t area = (screen_.x[i1] - screen_.x[i0]) * (screen_.y[i2] - screen_.y[i0]) -
-                              (screen_.x[i2] - screen_.x[i0]) * (screen_.y[i1] - screen_.y[i0]);
-    const Instance& instance = *cluster_.placed->instance;
-    if (area == 0 || (area < 0 ? instance.cullBackFaces : instance.cullFrontFaces)) return;
-    const std::uint32_t owner = TileOwner::make(slot_, number);
-    if (area < 0)
-      drawSmall(screen_, i0, i2, i1, owner, target_);
-    else
-      drawSmall(screen_, i0, i1, i2, owner, target_);
+    SmallTriangle corners;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t i = triangle >> (8 * k) & (kMaxClusterVertices - 1);
+      corners.x[k] = (packed_[i] & 0xFFFF) + (baseX_ << kSubpixelBits);
+      corners.y[k] = (packed_[i] >> 16) + (baseY_ << kSubpixelBits);
+      corners.depth[k] = depth_[i];
+    }
+    drawOriented(corners, instance_, TileOwner::make(slot_, numberOf(triangle)), target_);
   }
 
   static constexpr hn::ScalableTag<std::uint32_t> du{};
 
-  const PlacedCluster& cluster_;
-  const ScreenVertices& screen_;
+  const Instance& instance_;
+  const ClusteredMesh& mesh_;
+  const ClusterBounds& bounds_;
   std::uint32_t slot_;
   const TileTarget& target_;
   std::int32_t baseX_, baseY_;  ///< whole pixels
   alignas(64) std::int32_t packed_[kMaxClusterVertices];
+  alignas(64) float depth_[kMaxClusterVertices];
 };
 
 #endif  // HWY_TARGET != HWY_SCALAR
@@ -658,34 +716,37 @@ bool isOccluded(const ClusterBounds& bounds, const BlockRange& blocks, int sampl
   return true;
 }
 
-void drawCluster(const PlacedCluster& cluster, std::uint32_t slot, const TileTarget& target)
+void drawCluster(const TileCluster& cluster, std::uint32_t slot, const TileTarget& target)
 {
-  ScreenVertices screen;
-  transformVertices(cluster, screen);
 #if HWY_TARGET != HWY_SCALAR
-  if (target.clusters.scene->optimizations.smallClusters && !screen.anyNeedsClip &&
-      screen.maxX - screen.minX < kSmallBox && screen.maxY - screen.minY < kSmallBox) {
-    if (target.box(screen.minX, screen.minY, screen.maxX, screen.maxY).empty()) return;
-    SmallCluster(cluster, screen, slot, target).draw();
+  const ClusterBounds& bounds = cluster.bounds;
+  constexpr int kSmallPixels = kSmallBox / kSubpixels;
+  if (target.clusters.scene->optimizations.smallClusters && bounds.isWhole &&
+      bounds.x1 - bounds.x0 < kSmallPixels && bounds.y1 - bounds.y0 < kSmallPixels) {
+    SmallCluster(cluster, slot, target).draw();
     return;
   }
 #endif
-  drawAnyCluster(cluster, screen, slot, target);
+  ScreenVertices screen;
+  transformVertices(cluster.cluster, screen);
+  drawAnyCluster(cluster.cluster, screen, slot, target);
 }
 
-void prefetch(const PlacedCluster& cluster)
+void prefetch(const TileCluster& cluster)
 {
-  const ClusteredMesh& mesh = cluster.mesh();
+  const ClusteredMesh& mesh = cluster.cluster.mesh();
   const auto fetch = [](const auto* from, std::size_t count) {
+    constexpr std::size_t kLine = 64;
     const auto* bytes = reinterpret_cast<const char*>(from);
-    for (std::size_t i = 0; i < count * sizeof *from; i += 64)
+    const std::size_t size = count * sizeof *from;
+    for (std::size_t i = 0; i < size; i += kLine)
       hwy::Prefetch(bytes + i);
+    hwy::Prefetch(bytes + size - 1);
   };
-  const std::size_t vertex = cluster.cluster->firstVertex;
   for (const Array<float>* axis : {&mesh.x, &mesh.y, &mesh.z})
-    fetch(axis->data() + vertex, cluster.cluster->vertexCount);
+    fetch(axis->data() + cluster.bounds.firstVertex, cluster.bounds.vertexCount);
   for (const Array<std::uint8_t>& corner : mesh.corner)
-    fetch(corner.data() + cluster.cluster->firstTriangle, cluster.cluster->triangleCount);
+    fetch(corner.data() + cluster.bounds.firstTriangle, cluster.bounds.triangleCount);
 }
 
 std::size_t rasterizeTileKernel(const TileClusters& clusters, const TileRectangle& pixels,
@@ -708,17 +769,15 @@ std::size_t rasterizeTileKernel(const TileClusters& clusters, const TileRectangl
   const auto nextVisible = [&](std::size_t slot) {
     while (slot < count && !isVisible(slot))
       ++slot;
-    if (slot < count) prefetch(clusters.list[slot].cluster);
+    if (slot < count) prefetch(clusters.list[slot]);
     return slot;
   };
   std::size_t drawn = 0;
   for (std::size_t slot = nextVisible(0); slot < count;) {
     const std::size_t next = nextVisible(slot + 1);
-    if (isVisible(slot)) {
-      drawCluster(clusters.list[slot].cluster, static_cast<std::uint32_t>(slot), target);
-      tile.stale |= BlockRange(clusters.list[slot].bounds, pixels).mask();
-      ++drawn;
-    }
+    drawCluster(clusters.list[slot], static_cast<std::uint32_t>(slot), target);
+    tile.stale |= BlockRange(clusters.list[slot].bounds, pixels).mask();
+    ++drawn;
     slot = next;
   }
   return count - drawn;

@@ -35,7 +35,8 @@ void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
   constexpr float kBeforeEverything = -1.0f;
   tile.stale = ~std::uint64_t{0};
   for (int s = 0; s < samples; ++s) {
-    std::fill_n(tile.owner[s], kTilePixels, kNobody);
+    static_assert(kNobody == 0xFFFFFFFFu, "bytes of 0xFF");
+    std::memset(tile.owner[s], 0xFF, sizeof tile.owner[s]);
     if (pixels.x1 - pixels.x0 < kTileSide || pixels.y1 - pixels.y0 < kTileSide)
       std::fill_n(tile.depth[s], kTilePixels, kBeforeEverything);
     for (int y = pixels.y0; y < pixels.y1; ++y)
@@ -50,8 +51,7 @@ void orderClusters(const PlacedScene& scene, const TileBins& bins, std::size_t t
   const Span<const std::uint32_t> list = bins.clustersOf(tile);
   const auto entry = [&](std::uint32_t c) -> TileCluster {
     const PlacedInstance& placed = scene.instances[scene.instanceOf(c)];
-    const Cluster& cluster = placed.mesh().clusters[c - placed.firstCluster];
-    return {{&placed, &cluster}, bins.bounds[c], cluster.firstVertex, cluster.firstTriangle};
+    return {{&placed, &placed.mesh().clusters[c - placed.firstCluster]}, bins.bounds[c]};
   };
   ordered.resize(list.size());
   if (!scene.optimizations.occlusionCulling) {

@@ -37,7 +37,6 @@ struct TileOwner {
 struct TileCluster {
   PlacedCluster cluster;
   ClusterBounds bounds;
-  std::uint32_t firstVertex, firstTriangle;  ///< the cluster's, for vectors of clusters
 };
 
 /// The clusters of one tile, by slot.

@@ -33,8 +33,8 @@ class Gatherer {
     const VI number = hn::And(owner, hn::Set(DI(), (1 << TileOwner::kTriangleBits) - 1));
     const VI entry = hn::Mul(
         slot, hn::Set(DI(), static_cast<std::int32_t>(sizeof(TileCluster) / sizeof(std::int32_t))));
-    const VI place = hn::Add(indices(&clusters_.list[0].firstTriangle, entry), number);
-    const VI firstVertex = indices(&clusters_.list[0].firstVertex, entry);
+    const VI place = hn::Add(indices(&clusters_.list[0].bounds.firstTriangle, entry), number);
+    const VI firstVertex = indices(&clusters_.list[0].bounds.firstVertex, entry);
     for (int k = 0; k < 3; ++k) {
       // Reads the three bytes behind too, which the spare elements allow.
       const VI corner = hn::GatherOffset(
@@ -225,8 +225,48 @@ void weigh(bool mirrored, const ScreenCorners& screen, FragmentBatch& batch)
   }
 }
 
-void placeFragmentsKernel(const InstanceTransform& transform, FragmentBatch& batch)
+void collectVisibleKernel(const VisibilityTile& tile, const TileRectangle& pixels,
+                          FragmentList& fragments)
 {
+  const hn::ScalableTag<std::uint32_t> d;
+  const auto nobody = hn::Set(d, kNobody);
+  const int width = pixels.x1 - pixels.x0;
+  std::size_t count = 0;
+  for (int y = 0; y < pixels.y1 - pixels.y0; ++y)
+    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
+      const int first = y * kTileSide + x;
+      const auto owner = hn::Load(d, tile.owner[0] + first);
+      // Nobody owns the pixels beyond the frame.
+      const auto visible = hn::Ne(owner, nobody);
+      if (hn::AllFalse(d, visible)) continue;
+      hn::CompressStore(owner, visible, d, fragments.owner.data() + count);
+      count += hn::CompressStore(hn::Iota(d, static_cast<std::uint32_t>(first)), visible, d,
+                                 fragments.pixel.data() + count);
+    }
+  fragments.count = count;
+}
+
+/// From offsets in the pixel to points in the viewport.
+void movePoints(const TileRectangle& pixels, FragmentBatch& batch)
+{
+  const hn::ScalableTag<std::int32_t> d;
+  const auto x0 = hn::Set(d, pixels.x0 * kSubpixels), y0 = hn::Set(d, pixels.y0 * kSubpixels);
+  for (std::size_t i = 0; i < static_cast<std::size_t>(batch.count); i += hn::Lanes(d)) {
+    const auto pixel = hn::Load(d, batch.pixel + i);
+    const auto column = hn::And(pixel, hn::Set(d, kTileSide - 1));
+    const auto row = hn::ShiftRight<6>(pixel);
+    static_assert(kTileSide == 1 << 6, "a row of a tile is a shift");
+    const auto x = hn::Add(hn::ShiftLeft<kSubpixelBits>(column), x0);
+    const auto y = hn::Add(hn::ShiftLeft<kSubpixelBits>(row), y0);
+    hn::Store(hn::Add(hn::Load(d, batch.pointX + i), x), d, batch.pointX + i);
+    hn::Store(hn::Add(hn::Load(d, batch.pointY + i), y), d, batch.pointY + i);
+  }
+}
+
+void placeFragmentsKernel(const InstanceTransform& transform, const TileRectangle& pixels,
+                          FragmentBatch& batch)
+{
+  movePoints(pixels, batch);
   ScreenCorners screen;
   if (transform.precise)
     placeInDouble(transform, batch, screen);

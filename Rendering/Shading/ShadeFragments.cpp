@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -154,83 +154,92 @@ class BatchFiller {
 
 }  // namespace
 
-void collectFragments(const VisibilityTile& tile, const TileRectangle& pixels, int samples,
-                      std::vector<Fragment>& fragments)
+bool FragmentShader::orderByInstance(const TileClusters& clusters, const FragmentList& fragments)
 {
-  // Room for all that can come, so that the loops only write.
-  fragments.resize(static_cast<std::size_t>(kTilePixels) * static_cast<std::size_t>(samples));
-  std::size_t count = 0;
-  for (int y = 0; y < pixels.y1 - pixels.y0; ++y)
-    for (int x = 0; x < pixels.x1 - pixels.x0; ++x) {
-      const int pixel = y * kTileSide + x;
-      if (samples == 1) {
-        fragments[count] = {tile.owner[0][pixel], static_cast<std::uint16_t>(pixel), 1};
-        count += tile.owner[0][pixel] != kNobody;
-        continue;
-      }
-      const std::size_t first = count;
-      for (int s = 0; s < samples; ++s) {
-        const std::uint32_t owner = tile.owner[s][pixel];
-        if (owner == kNobody) continue;
-        const auto bit = static_cast<std::uint8_t>(1u << s);
-        std::size_t f = first;
-        while (f < count && fragments[f].owner != owner)
-          ++f;
-        if (f == count)
-          fragments[count++] = {owner, static_cast<std::uint16_t>(pixel), bit};
-        else
-          fragments[f].coverage = static_cast<std::uint8_t>(fragments[f].coverage | bit);
-      }
+  const PlacedInstance* const scene = clusters.scene->instances.data();
+  numberInTile_.resize(clusters.scene->instances.size(), kNobody);
+  instance_.clear();
+  next_.clear();
+  number_.resize(fragments.count);
+  for (std::size_t f = 0; f < fragments.count; ++f) {
+    const PlacedInstance* placed = clusters.at(TileOwner::slot(fragments.owner[f])).placed;
+    const auto instance = static_cast<std::uint32_t>(placed - scene);
+    if (numberInTile_[instance] == kNobody) {
+      numberInTile_[instance] = static_cast<std::uint32_t>(instance_.size());
+      instance_.push_back(instance);
+      next_.push_back(0);
     }
-  fragments.resize(count);
+    number_[f] = numberInTile_[instance];
+    ++next_[number_[f]];
+  }
+  for (const std::uint32_t instance : instance_)
+    numberInTile_[instance] = kNobody;
+  if (instance_.size() <= 1) return false;
+  std::uint32_t first = 0;
+  for (std::uint32_t& next : next_)
+    first += std::exchange(next, first);
+  order_.resize(fragments.count);
+  for (std::size_t f = 0; f < fragments.count; ++f)
+    order_[next_[number_[f]]++] = static_cast<std::uint32_t>(f);
+  return true;
+}
+
+void FragmentShader::shadeBatch(const TileClusters& clusters, const PlacedInstance& placed,
+                                const TileRectangle& pixels)
+{
+  const auto clusterOf = [&](int i) -> const PlacedCluster& {
+    return clusters.at(TileOwner::slot(batch_.owner[i]));
+  };
+  if (placed.instance->style.frequency != ShadingFrequency::kFlat && isGatherable(placed.mesh())) {
+    gatherFragments(clusters, placed, batch_);
+  } else {
+    const BatchFiller filler(placed, batch_);
+    for (int i = 0; i < batch_.count; ++i)
+      filler.fill(clusterOf(i), TileOwner::triangle(batch_.owner[i]), i);
+  }
+  placeFragments(placed.transform, pixels, batch_);
+  for (int i = 0; i < batch_.count; ++i)
+    if (batch_.needsClip[i] != 0)
+      placeClipped(clusterOf(i), TileOwner::triangle(batch_.owner[i]), batch_, i);
+  lightFragments({clusters.scene, &placed}, batch_);
 }
 
 void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
-                           const std::vector<Fragment>& fragments, std::vector<Rgba8>& colors)
+                           const FragmentList& fragments, Array<Rgba8>& colors)
 {
-  colors.resize(fragments.size());
-  const auto placedOf = [&](std::uint32_t f) {
-    return clusters.at(TileOwner::slot(fragments[f].owner)).placed;
+  colors.resize(fragments.count);
+  const bool isOrdered =
+      clusters.scene->instances.size() > 1 && orderByInstance(clusters, fragments);
+  const auto numberOf = [&](std::size_t i) { return isOrdered ? order_[i] : i; };
+  const auto placedOf = [&](std::size_t i) {
+    return clusters.at(TileOwner::slot(fragments.owner[numberOf(i)])).placed;
   };
-  order_.resize(fragments.size());
-  std::iota(order_.begin(), order_.end(), 0u);
-  if (clusters.scene->instances.size() > 1)
-    std::stable_sort(order_.begin(), order_.end(),
-                     [&](std::uint32_t a, std::uint32_t b) { return placedOf(a) < placedOf(b); });
-
   const ShadingOffsets& offsets = shadingOffsetsOf(samples);
-  std::size_t next = 0;
-  while (next < order_.size()) {
-    const PlacedInstance* placed = placedOf(order_[next]);
-    const BatchFiller filler(*placed, batch_);
-    const bool gathers = placed->instance->style.frequency != ShadingFrequency::kFlat &&
-                         isGatherable(placed->mesh());
-    const std::size_t first = next;
-    batch_.count = 0;
-    while (next < order_.size() && batch_.count < FragmentBatch::kCapacity) {
-      const Fragment& fragment = fragments[order_[next]];
-      const PlacedCluster& cluster = clusters.at(TileOwner::slot(fragment.owner));
-      if (cluster.placed != placed) break;
-      const int i = batch_.count++;
-      const SampleOffset offset = offsets[fragment.coverage];
-      batch_.pointX[i] = (pixels.x0 + fragment.pixel % kTileSide) * kSubpixels + offset.x;
-      batch_.pointY[i] = (pixels.y0 + fragment.pixel / kTileSide) * kSubpixels + offset.y;
-      batch_.owner[i] = fragment.owner;
-      if (!gathers) filler.fill(cluster, TileOwner::triangle(fragment.owner), i);
-      ++next;
+  for (std::size_t first = 0; first < fragments.count;) {
+    const PlacedInstance& placed = *placedOf(first);
+    std::size_t end = std::min<std::size_t>(first + FragmentBatch::kCapacity, fragments.count);
+    if (isOrdered)
+      while (placedOf(end - 1) != &placed)
+        --end;
+    batch_.count = static_cast<int>(end - first);
+    for (std::size_t i = first; i < end; ++i) {
+      const std::size_t f = numberOf(i), to = i - first;
+      batch_.owner[to] = fragments.owner[f];
+      batch_.pixel[to] = static_cast<std::int32_t>(fragments.pixel[f]);
+      const SampleOffset offset = samples == 1 ? kPixelCentre : offsets[fragments.coverage[f]];
+      batch_.pointX[to] = offset.x;
+      batch_.pointY[to] = offset.y;
     }
-    if (gathers) gatherFragments(clusters, *placed, batch_);
-    placeFragments(placed->transform, batch_);
-    for (int i = 0; i < batch_.count; ++i)
-      if (batch_.needsClip[i] != 0) {
-        const std::uint32_t owner = fragments[order_[first + static_cast<std::size_t>(i)]].owner;
-        placeClipped(clusters.at(TileOwner::slot(owner)), TileOwner::triangle(owner), batch_, i);
-      }
-    lightFragments({clusters.scene, placed}, batch_);
-    Rgba8 shaded[FragmentBatch::kCapacity];
-    quantizeFragments(batch_, shaded);
-    for (std::size_t i = first; i < next; ++i)
-      colors[order_[i]] = shaded[i - first];
+    shadeBatch(clusters, placed, pixels);
+    if (!isOrdered && end - first == FragmentBatch::kCapacity) {
+      quantizeFragments(batch_, colors.data() + first);
+    } else {
+      Rgba8 shaded[FragmentBatch::kCapacity];
+      quantizeFragments(batch_, shaded);
+      for (std::size_t i = first; i < end; ++i)
+        colors[numberOf(i)] = shaded[i - first];
+    }
+    first = end;
   }
 }
 

@@ -10,33 +10,6 @@ namespace limn::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Sums up the vertices' boxes and flags. Lanes behind the last vertex count as the first vertex.
-void boundVertices(std::size_t count, ScreenVertices& screen)
-{
-  const hn::ScalableTag<std::int32_t> d;
-  using V = hn::Vec<decltype(d)>;
-  const auto smaller = [](V a, V b) HWY_ATTR { return hn::IfThenElse(hn::Lt(a, b), a, b); };
-  const auto larger = [](V a, V b) HWY_ATTR { return hn::IfThenElse(hn::Gt(a, b), a, b); };
-  const V firstX = hn::Set(d, screen.x[0]), firstY = hn::Set(d, screen.y[0]);
-  V minX = firstX, maxX = firstX, minY = firstY, maxY = firstY, clip = hn::Zero(d);
-  const V end = hn::Set(d, static_cast<std::int32_t>(count));
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const auto real = hn::Lt(hn::Iota(d, static_cast<std::int32_t>(i)), end);
-    const V x = hn::IfThenElse(real, hn::Load(d, screen.x + i), firstX);
-    const V y = hn::IfThenElse(real, hn::Load(d, screen.y + i), firstY);
-    minX = smaller(minX, x);
-    maxX = larger(maxX, x);
-    minY = smaller(minY, y);
-    maxY = larger(maxY, y);
-    clip = hn::Or(clip, hn::IfThenElseZero(real, hn::Load(d, screen.needsClip + i)));
-  }
-  screen.minX = hn::GetLane(hn::MinOfLanes(d, minX));
-  screen.maxX = hn::GetLane(hn::MaxOfLanes(d, maxX));
-  screen.minY = hn::GetLane(hn::MinOfLanes(d, minY));
-  screen.maxY = hn::GetLane(hn::MaxOfLanes(d, maxY));
-  screen.anyNeedsClip = !hn::AllTrue(d, hn::Eq(clip, hn::Zero(d)));
-}
-
 void transformInFloat(const PlacedCluster& cluster, ScreenVertices& screen)
 {
   const hn::ScalableTag<float> d;
@@ -92,7 +65,6 @@ void transformVerticesKernel(const PlacedCluster& cluster, ScreenVertices& scree
     transformInDouble(cluster, screen);
   else
     transformInFloat(cluster, screen);
-  boundVertices(cluster.cluster->vertexCount, screen);
 }
 
 }  // namespace limn::HWY_NAMESPACE

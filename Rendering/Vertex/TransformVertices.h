@@ -33,9 +33,6 @@ struct alignas(64) ScreenVertices {
   std::int32_t x[kMaxClusterVertices], y[kMaxClusterVertices];
   float depth[kMaxClusterVertices], inverseW[kMaxClusterVertices];
   std::int32_t needsClip[kMaxClusterVertices];  ///< 0 or -1
-  /// Of all the cluster's vertices; with the box, last ones included, only if none needs a clip.
-  bool anyNeedsClip;
-  std::int32_t minX, minY, maxX, maxY;
 
   ScreenVertex vertex(std::uint32_t i) const
   {

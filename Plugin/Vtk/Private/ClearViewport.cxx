@@ -5,6 +5,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace limn::bridge
 {
@@ -80,18 +81,31 @@ void clearViewport(vtkRenderer* renderer, Frame& frame)
   {
     return;
   }
-  const RowColor color(renderer, viewport);
-  for (int y = viewport.Y; y < viewport.Y + viewport.Height; ++y)
+  // Rows are copies of a filled one: the compiler's own loops do not go by vectors here.
+  const auto width = static_cast<size_t>(viewport.Width);
+  if (!renderer->Transparent())
   {
-    const size_t first = static_cast<size_t>(y) * frame.Width + viewport.X;
-    if (!renderer->Transparent())
-    {
-      std::fill_n(frame.Color.begin() + first, viewport.Width, color.at(y));
-    }
-    if (!renderer->GetPreserveDepthBuffer())
-    {
-      std::fill_n(frame.Depth.begin() + first, viewport.Width, 1.0f);
-    }
+    const RowColor color(renderer, viewport);
+    const bool isPlain = !renderer->GetGradientBackground();
+    const std::vector<Rgba8> filled(width, color.at(viewport.Y));
+    frame.ForEachRow(frame.Color, viewport,
+      [&](Rgba8* row, size_t count, size_t index)
+      {
+        if (isPlain)
+        {
+          std::copy_n(filled.begin(), count, row);
+        }
+        else
+        {
+          std::fill_n(row, count, color.at(viewport.Y + static_cast<int>(index / width)));
+        }
+      });
+  }
+  if (!renderer->GetPreserveDepthBuffer())
+  {
+    const std::vector<float> filled(width, 1.0f);
+    frame.ForEachRow(frame.Depth, viewport,
+      [&](float* row, size_t count, size_t) { std::copy_n(filled.begin(), count, row); });
   }
 }
 

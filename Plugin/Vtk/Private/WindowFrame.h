@@ -3,10 +3,14 @@
 #ifndef WindowFrame_h
 #define WindowFrame_h
 
+#include "EngineState.h"
+
 #include "vtkLimnRenderWindow.h"
 
+#include "Rendering/Base/Executor.h"
 #include "Rendering/FrameView.h"
 
+#include <algorithm>
 #include <vector>
 
 /// The pixels of a Limn window, row 0 at the bottom; empty until the window is rendered.
@@ -53,6 +57,33 @@ public:
         visit(isInside ? &plane[static_cast<size_t>(y) * this->Width + x] : nullptr, index);
       }
     }
+  }
+
+  /// Calls visit(first pixel of the frame, number of pixels, index of the first in the region) for
+  /// the part of each row of the region that lies in the window; rows in any order, on several
+  /// threads.
+  template <class Planes, class Visit>
+  void ForEachRow(Planes& plane, const Region& region, Visit visit) const
+  {
+    const Region inside = this->Clip(region);
+    if (inside.IsEmpty())
+    {
+      return;
+    }
+    constexpr int RowsPerTask = 64;
+    const int tasks = (inside.Height + RowsPerTask - 1) / RowsPerTask;
+    limn::parallelFor(limn::bridge::EngineState::instance().options.threads, tasks,
+      [&](size_t task)
+      {
+        const int first = inside.Y + static_cast<int>(task) * RowsPerTask;
+        const int end = std::min(first + RowsPerTask, inside.Y + inside.Height);
+        for (int y = first; y < end; ++y)
+        {
+          visit(&plane[static_cast<size_t>(y) * this->Width + inside.X],
+            static_cast<size_t>(inside.Width),
+            static_cast<size_t>(y - region.Y) * region.Width + (inside.X - region.X));
+        }
+      });
   }
 
   int Width = 0;
