@@ -16,12 +16,12 @@ class Span {
   constexpr Span() = default;
   constexpr Span(T* data, std::size_t size) : data_(data), size_(size) {}
 
-  template <class U, class = std::enable_if_t<std::is_same_v<T, const U>>>
-  Span(const std::vector<U>& owner) : data_(owner.data()), size_(owner.size())
+  template <class U, class A, class = std::enable_if_t<std::is_same_v<T, const U>>>
+  Span(const std::vector<U, A>& owner) : data_(owner.data()), size_(owner.size())
   {
   }
-  template <class U, class = std::enable_if_t<std::is_same_v<std::remove_const_t<T>, U>>>
-  Span(std::vector<U>& owner) : data_(owner.data()), size_(owner.size())
+  template <class U, class A, class = std::enable_if_t<std::is_same_v<std::remove_const_t<T>, U>>>
+  Span(std::vector<U, A>& owner) : data_(owner.data()), size_(owner.size())
   {
   }
 

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -32,12 +33,11 @@ float roundedUp(double value)
                          : nearest;
 }
 
-/// The clusters of one run of sorted triangles; element numbers count from the run's start.
+/// The clusters of one run of sorted triangles; vertices count from the run's start.
 struct Run {
+  std::size_t firstTriangle = 0;
   std::vector<Cluster> clusters;
   std::vector<std::uint32_t> vertex;
-  std::vector<std::uint8_t> corner[3];
-  std::vector<std::uint32_t> triangle;
 };
 
 /// Vertex numbers of the cluster being filled: open addressing, emptied by counting clusters.
@@ -83,30 +83,39 @@ struct Member {
 /// Cuts a run of triangles into clusters: halves it across its longest side until a part fits.
 class RunCutter {
  public:
-  RunCutter(const MeshView& mesh, Span<const TriangleUnit> units, Run& run)
-      : mesh_(mesh), units_(units), run_(run)
+  RunCutter(const MeshView& mesh, Span<const TriangleUnit> units, Run& run, ClusteredMesh& clusters)
+      : mesh_(mesh),
+        units_(units),
+        run_(run),
+        triangleCount_(run.firstTriangle),
+        triangle_(clusters.triangle.data()),
+        corner_{clusters.corner[0].data(), clusters.corner[1].data(), clusters.corner[2].data()}
   {
-    const auto centroid = [&](std::size_t i) {
-      const Triangle& t = mesh_.triangles[units_[i].first];
-      return (mesh_.position(t.vertex[0]) + mesh_.position(t.vertex[1]) +
-              mesh_.position(t.vertex[2])) *
-             (1.0 / 3);
-    };
+    std::vector<Vec3d> centroid(units.size());
     Box box;
-    for (std::size_t i = 0; i < units.size(); ++i)
-      box.add(centroid(i));
+    for (std::size_t i = 0; i < units.size(); ++i) {
+      const Triangle& t = mesh_.triangles[units_[i].first];
+      centroid[i] = (mesh_.position(t.vertex[0]) + mesh_.position(t.vertex[1]) +
+                     mesh_.position(t.vertex[2])) *
+                    (1.0 / 3);
+      box.add(centroid[i]);
+    }
     const Vec3d size = box.high - box.low;
     const double extent = std::max({size.x, size.y, size.z});
     const double steps = extent > 0 ? 65535.0 / extent : 0.0;
     for (std::size_t i = 0; i < units.size(); ++i) {
-      const Vec3d c = (centroid(i) - box.low) * steps;
+      const Vec3d c = (centroid[i] - box.low) * steps;
       member_[i] = {{static_cast<std::uint16_t>(c.x), static_cast<std::uint16_t>(c.y),
                      static_cast<std::uint16_t>(c.z)},
                     static_cast<std::uint16_t>(i)};
     }
   }
 
-  void cut() { cut(0, units_.size()); }
+  void cut()
+  {
+    cut(0, units_.size());
+    run_.vertex.assign(vertex_, vertex_ + vertexCount_);
+  }
 
  private:
   void cut(std::size_t begin, std::size_t end)
@@ -181,32 +190,28 @@ class RunCutter {
   bool emit(std::size_t begin, std::size_t end)
   {
     vertices_.startCluster();
-    Cluster cluster = {};
-    cluster.firstVertex = static_cast<std::uint32_t>(run_.vertex.size());
-    cluster.firstTriangle = static_cast<std::uint32_t>(run_.triangle.size());
-    const auto vertexCount = [&] { return run_.vertex.size() - cluster.firstVertex; };
+    std::size_t triangleCount = triangleCount_;
     for (std::size_t i = begin; i < end; ++i) {
       const TriangleUnit& unit = units_[member_[i].number];
       for (std::uint32_t triangle = unit.first; triangle < unit.first + unit.count(); ++triangle) {
         for (int k = 0; k < 3; ++k) {
           const std::uint32_t v = mesh_.triangles[triangle].vertex[k];
           const auto place = static_cast<std::size_t>(vertices_.findOrAdd(v));
-          if (place == vertexCount()) run_.vertex.push_back(v);
-          run_.corner[k].push_back(static_cast<std::uint8_t>(place));
+          vertex_[vertexCount_ + place] = v;
+          corner_[k][triangleCount] = static_cast<std::uint8_t>(place);
         }
-        run_.triangle.push_back(triangle);
+        triangle_[triangleCount++] = triangle;
       }
-      if (vertexCount() > kMaxClusterVertices) {
-        run_.vertex.resize(cluster.firstVertex);
-        run_.triangle.resize(cluster.firstTriangle);
-        for (auto& corner : run_.corner)
-          corner.resize(cluster.firstTriangle);
-        return false;
-      }
+      if (vertices_.count() > kMaxClusterVertices) return false;
     }
-    cluster.vertexCount = static_cast<std::uint8_t>(vertexCount());
-    cluster.triangleCount = static_cast<std::uint8_t>(run_.triangle.size() - cluster.firstTriangle);
+    Cluster cluster = {};
+    cluster.firstVertex = static_cast<std::uint32_t>(vertexCount_);
+    cluster.firstTriangle = static_cast<std::uint32_t>(triangleCount_);
+    cluster.vertexCount = static_cast<std::uint8_t>(vertices_.count());
+    cluster.triangleCount = static_cast<std::uint8_t>(triangleCount - triangleCount_);
     run_.clusters.push_back(cluster);
+    vertexCount_ += cluster.vertexCount;
+    triangleCount_ = triangleCount;
     return true;
   }
 
@@ -215,35 +220,46 @@ class RunCutter {
   Run& run_;
   ClusterVertices vertices_;
   Member member_[kRun], old_[kRun];
+  std::size_t vertexCount_ = 0;  ///< of the run's clusters so far
+  std::uint32_t vertex_[3 * 2 * kRun];
+  std::size_t triangleCount_;  ///< of all runs before, and of this one's clusters so far
+  std::uint32_t* triangle_;
+  std::uint8_t* corner_[3];
 };
 
-void allocate(const std::vector<Run>& runs, bool mayHaveLowParts, ClusteredMesh& clusters)
+template <class T>
+void allocate(std::size_t count, std::size_t spare, Array<T>& array)
+{
+  array.resize(count + spare);
+  std::fill(array.end() - static_cast<std::ptrdiff_t>(spare), array.end(), T{0});
+}
+
+void allocateTriangles(ClusteredMesh& clusters)
+{
+  for (Array<std::uint8_t>& corner : clusters.corner)
+    allocate(clusters.triangleCount, kMaxClusterTriangles, corner);
+  allocate(clusters.triangleCount, kMaxClusterTriangles, clusters.triangle);
+}
+
+void allocateVertices(const std::vector<Run>& runs, bool mayHaveLowParts, ClusteredMesh& clusters)
 {
   std::size_t clusterCount = 0;
   for (const Run& run : runs) {
     clusterCount += run.clusters.size();
     clusters.vertexCount += run.vertex.size();
-    clusters.triangleCount += run.triangle.size();
   }
   clusters.clusters.resize(clusterCount);
-  const auto grow = [](auto& array, std::size_t count, std::size_t spare) {
-    array.resize(count + spare);
-    std::fill(array.end() - static_cast<std::ptrdiff_t>(spare), array.end(), 0);
-  };
   for (Array<float>* positions : {&clusters.x, &clusters.y, &clusters.z})
-    grow(*positions, clusters.vertexCount, kMaxClusterVertices);
+    allocate(clusters.vertexCount, kMaxClusterVertices, *positions);
   if (mayHaveLowParts)
     for (Array<float>* positions : {&clusters.xLow, &clusters.yLow, &clusters.zLow})
-      grow(*positions, clusters.vertexCount, kMaxClusterVertices);
-  grow(clusters.vertex, clusters.vertexCount, kMaxClusterVertices);
-  for (Array<std::uint8_t>& corner : clusters.corner)
-    grow(corner, clusters.triangleCount, kMaxClusterTriangles);
-  grow(clusters.triangle, clusters.triangleCount, kMaxClusterTriangles);
+      allocate(clusters.vertexCount, kMaxClusterVertices, *positions);
+  allocate(clusters.vertexCount, kMaxClusterVertices, clusters.vertex);
 }
 
 /// Where a run's elements go.
 struct Place {
-  std::size_t cluster, vertex, triangle;
+  std::size_t cluster, vertex;
 };
 
 /// Fills positions and boxes of the vertices from `first` on; true if a low part is needed.
@@ -272,14 +288,10 @@ bool placeVertices(const MeshView& mesh, Cluster& cluster, ClusteredMesh& cluste
 bool copyRun(const MeshView& mesh, const Run& run, Place to, ClusteredMesh& clusters)
 {
   std::copy(run.vertex.begin(), run.vertex.end(), clusters.vertex.data() + to.vertex);
-  std::copy(run.triangle.begin(), run.triangle.end(), clusters.triangle.data() + to.triangle);
-  for (int k = 0; k < 3; ++k)
-    std::copy(run.corner[k].begin(), run.corner[k].end(), clusters.corner[k].data() + to.triangle);
   bool anyLow = false;
   for (std::size_t c = 0; c < run.clusters.size(); ++c) {
     Cluster cluster = run.clusters[c];
     cluster.firstVertex += static_cast<std::uint32_t>(to.vertex);
-    cluster.firstTriangle += static_cast<std::uint32_t>(to.triangle);
     if (placeVertices(mesh, cluster, clusters)) anyLow = true;
     clusters.clusters[to.cluster + c] = cluster;
   }
@@ -325,22 +337,29 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   clusters.notFiniteTriangles = sorted.notFinite;
   const Span<const TriangleUnit> order = {sorted.units.data(), sorted.units.size()};
   std::vector<Run> runs((order.size() + kRun - 1) / kRun);
+  const auto unitsOf = [&](std::size_t r) {
+    return Span<const TriangleUnit>(order.data() + r * kRun,
+                                    std::min(kRun, order.size() - r * kRun));
+  };
   parallelFor(threads, runs.size(), [&](std::size_t r) {
-    const std::size_t first = r * kRun, count = std::min(kRun, order.size() - first);
-    const auto cutter = std::make_unique<RunCutter>(
-        mesh, Span<const TriangleUnit>(order.data() + first, count), runs[r]);
-    cutter->cut();
+    for (const TriangleUnit& unit : unitsOf(r))
+      runs[r].firstTriangle += unit.count();
+  });
+  for (Run& run : runs)
+    clusters.triangleCount += std::exchange(run.firstTriangle, clusters.triangleCount);
+  allocateTriangles(clusters);
+  parallelFor(threads, runs.size(), [&](std::size_t r) {
+    std::make_unique<RunCutter>(mesh, unitsOf(r), runs[r], clusters)->cut();
   });
   sorted = {};
 
   const bool isFloatAtZero = !mesh.positions.empty() && clusters.origin == Vec3d{0, 0, 0};
-  allocate(runs, !isFloatAtZero, clusters);
+  allocateVertices(runs, !isFloatAtZero, clusters);
   std::vector<Place> places;
-  Place next = {0, 0, 0};
+  Place next = {0, 0};
   for (const Run& run : runs) {
     places.push_back(next);
-    next = {next.cluster + run.clusters.size(), next.vertex + run.vertex.size(),
-            next.triangle + run.triangle.size()};
+    next = {next.cluster + run.clusters.size(), next.vertex + run.vertex.size()};
   }
   std::atomic<bool> anyLow = false;
   parallelFor(threads, runs.size(), [&](std::size_t r) {

@@ -31,11 +31,23 @@ std::uint32_t spreadBits(std::uint32_t x)
 
 enum class Fault : std::uint8_t { kNone, kOutOfRange, kNotFinite };
 
-/// Far from what a float cannot hold, and a number.
-bool isModest(Vec3d p)
+/// Whether all corners are numbers, far from what a float cannot hold.
+bool areModest(const MeshView& mesh, const Triangle& triangle)
 {
   constexpr double kModest = 1e30;
-  return std::fabs(p.x) < kModest && std::fabs(p.y) < kModest && std::fabs(p.z) < kModest;
+  const auto [a, b, c] = triangle.vertex;
+  if (!mesh.positions.empty()) {
+    const auto size = [&](std::uint32_t v) {
+      const Vec3f p = mesh.positions[v];
+      return (std::fabs(p.x) + std::fabs(p.y)) + std::fabs(p.z);
+    };
+    return (size(a) + size(b)) + size(c) < static_cast<float>(kModest);
+  }
+  const auto size = [&](std::uint32_t v) {
+    const Vec3d p = mesh.precisePositions[v];
+    return (std::fabs(p.x) + std::fabs(p.y)) + std::fabs(p.z);
+  };
+  return (size(a) + size(b)) + size(c) < kModest;
 }
 
 Fault faultOf(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
@@ -43,9 +55,8 @@ Fault faultOf(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
   const std::size_t count = mesh.vertexCount();
   const auto [a, b, c] = triangle.vertex;
   if (a >= count || b >= count || c >= count) return Fault::kOutOfRange;
-  if (isModest(mesh.position(a)) && isModest(mesh.position(b)) && isModest(mesh.position(c)) &&
-      isModest(origin))
-    return Fault::kNone;
+  // The origin is no farther out than the mesh.
+  if (areModest(mesh, triangle)) return Fault::kNone;
   for (const std::uint32_t v : triangle.vertex) {
     const Vec3d p = mesh.position(v);
     if (!isFinite(p) || !isFinite(toLocal(p, origin).high)) return Fault::kNotFinite;
@@ -158,6 +169,7 @@ SortedTriangles sortTriangles(const MeshView& mesh, const Box& box, Vec3d origin
   for (std::size_t first = 0; first < count; first += kChunk)
     half.count.push_back(std::min(kChunk, count - first));
   sortByDigit(unsorted, 0, threads, half.units);
+  sorted.units = std::move(unsorted.units);
   sorted.units.resize(count);
   sortByDigit(half, kDigitBits, threads, sorted.units);
   return sorted;

@@ -374,12 +374,12 @@ class SmallCluster {
 
   void draw()
   {
-    std::int32_t few[kMaxClusterTriangles + kMaxLanes], many[kMaxClusterTriangles + kMaxLanes];
-    std::size_t fewCount = 0, manyCount = 0;
-    sift(few, fewCount, many, manyCount);
-    if (fewCount != 0) drawFew(few, fewCount);
-    for (std::size_t i = 0; i < manyCount; ++i)
-      drawMany(static_cast<std::uint32_t>(many[i]));
+    Sifted sifted;
+    sift(sifted);
+    drawFew(sifted.tiny);
+    drawFew(sifted.few);
+    for (std::size_t i = 0; i < sifted.many.count; ++i)
+      drawMany(static_cast<std::uint32_t>(sifted.many.triangle[i]));
   }
 
  private:
@@ -443,10 +443,21 @@ class SmallCluster {
   }
   static std::uint32_t numberOf(std::uint32_t triangle) { return triangle >> 24; }
 
-  /// Sorts out triangles whose box holds a sample of the tile: `few` with up to 4 x 4 pixels, and
-  /// `many`. The rest, most of a fine mesh, ends here.
-  void sift(std::int32_t* few, std::size_t& fewCount, std::int32_t* many,
-            std::size_t& manyCount) const
+  struct Triangles {
+    std::size_t count = 0;
+    std::int32_t triangle[kMaxClusterTriangles + kMaxLanes];
+  };
+  /// Triangles by the pixels of the tile that their boxes meet. Vectors of triangles take as long
+  /// as the largest of them.
+  struct Sifted {
+    Triangles tiny;  ///< up to 2 x 2
+    Triangles few;   ///< up to 8 x 8
+    Triangles many;
+  };
+
+  /// Sorts out the triangles whose box holds a sample of the tile. The rest, most of a fine mesh,
+  /// ends here.
+  void sift(Sifted& sifted) const
   {
     const hn::Rebind<std::uint8_t, decltype(d)> d8;
     const hn::Repartition<std::int16_t, decltype(d)> d16;
@@ -458,7 +469,7 @@ class SmallCluster {
     const auto border1 = both(target_.pixels.x1 - 1 - baseX_, target_.pixels.y1 - 1 - baseY_);
     const auto up = both(kSubpixels - 1 - target_.highest.x, kSubpixels - 1 - target_.highest.y);
     const auto down = both(target_.lowest.x, target_.lowest.y);
-    const auto three = both(7, 7);
+    const auto one = both(1, 1), seven = both(7, 7);
 
     const std::size_t first = bounds_.firstTriangle, count = bounds_.triangleCount;
     const VI end = hn::Set(d, static_cast<std::int32_t>(count));
@@ -479,23 +490,32 @@ class SmallCluster {
       const VI number = hn::Iota(d, static_cast<std::int32_t>(t));
       const auto kept = hn::AndNot(any(hn::Gt(from, to)), hn::Lt(number, end));
       if (hn::AllFalse(d, kept)) continue;
-      const auto wide = any(hn::Gt(hn::Sub(to, from), three));
+      const auto span = hn::Sub(to, from);
+      const auto beyondTiny = hn::And(kept, any(hn::Gt(span, one)));
       const VI triangle = hn::Or(hn::Or(i0, hn::ShiftLeft<8>(i1)),
                                  hn::Or(hn::ShiftLeft<16>(i2), hn::ShiftLeft<24>(number)));
-      fewCount += hn::CompressStore(triangle, hn::AndNot(wide, kept), d, few + fewCount);
-      const auto large = hn::And(wide, kept);
-      if (!hn::AllFalse(d, large))
-        manyCount += hn::CompressStore(triangle, large, d, many + manyCount);
+      add(triangle, hn::AndNot(beyondTiny, kept), sifted.tiny);
+      if (hn::AllFalse(d, beyondTiny)) continue;
+      const auto beyondFew = hn::And(kept, any(hn::Gt(span, seven)));
+      add(triangle, hn::AndNot(beyondFew, beyondTiny), sifted.few);
+      add(triangle, beyondFew, sifted.many);
     }
+  }
+  static HWY_INLINE void add(VI triangle, hn::Mask<hn::ScalableTag<std::int32_t>> chosen,
+                             Triangles& to)
+  {
+    to.count += hn::CompressStore(triangle, chosen, d, to.triangle + to.count);
   }
 
   /// Draws a vector of triangles at a time, pixel by pixel of their boxes.
-  void drawFew(std::int32_t* triangles, std::size_t count) const
+  void drawFew(Triangles& triangles) const
   {
-    hn::StoreU(hn::Zero(d), d, triangles + count);
+    const std::size_t count = triangles.count;
+    if (count == 0) return;
+    hn::StoreU(hn::Zero(d), d, triangles.triangle + count);
     const VertexTable<std::int32_t> vertices(packed_);
     for (std::size_t t = 0; t < count; t += hn::Lanes(d)) {
-      const VI triangle = hn::LoadU(d, triangles + t);
+      const VI triangle = hn::LoadU(d, triangles.triangle + t);
       const auto real = hn::Lt(hn::Iota(d, static_cast<std::int32_t>(t)),
                                hn::Set(d, static_cast<std::int32_t>(count)));
       drawVector(vertices, triangle, real);

@@ -2,13 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputBounds.h"
 
+#include "EngineState.h"
+
+#include "Rendering/Base/Executor.h"
+
 #include "vtkCellArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDoubleArray.h"
 #include "vtkFloatArray.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace limn::bridge
@@ -50,25 +56,59 @@ void forEachPointId(vtkPolyData* data, Visit visit)
   }
 }
 
+/// Whether test(value) holds for all values, asked on all cores.
+template <class Value, class Test>
+bool allOf(const Value* values, vtkIdType count, Test test)
+{
+  constexpr std::size_t kChunk = 1 << 18;
+  const auto size = static_cast<std::size_t>(count);
+  std::atomic<bool> all = true;
+  parallelFor(EngineState::instance().options.threads, (size + kChunk - 1) / kChunk,
+    [&](std::size_t chunk)
+    {
+      const Value* const first = values + chunk * kChunk;
+      if (!std::all_of(first, first + std::min(kChunk, size - chunk * kChunk), test))
+      {
+        all = false;
+      }
+    });
+  return all;
+}
+
 bool allPointsExist(vtkPolyData* data)
 {
   const vtkIdType points = data->GetNumberOfPoints();
-  bool exist = true;
-  forEachPointId(data, [&](vtkIdType id) { exist &= id >= 0 && id < points; });
-  return exist;
+  const auto exist = [points](auto* ids)
+  {
+    return allOf(ids->GetPointer(0), ids->GetNumberOfValues(),
+      [points](auto id) { return id >= 0 && id < points; });
+  };
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    if (!(cells->IsStorage64Bit() ? exist(cells->GetConnectivityArray64())
+                                  : exist(cells->GetConnectivityArray32())))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 bool allCoordinatesAreFinite(vtkPolyData* data)
 {
-  if (vtkFloatArray* const floats = vtkFloatArray::FastDownCast(data->GetPoints()->GetData()))
+  const auto isFinite = [](auto value) { return std::isfinite(value); };
+  vtkDataArray* const array = data->GetPoints()->GetData();
+  if (vtkFloatArray* const floats = vtkFloatArray::FastDownCast(array))
   {
-    const float* const first = floats->GetPointer(0);
-    return std::all_of(
-      first, first + floats->GetNumberOfValues(), [](float value) { return std::isfinite(value); });
+    return allOf(floats->GetPointer(0), floats->GetNumberOfValues(), isFinite);
   }
-  const auto values = vtk::DataArrayValueRange<3>(data->GetPoints()->GetData());
-  return std::all_of(
-    values.begin(), values.end(), [](double value) { return std::isfinite(value); });
+  if (vtkDoubleArray* const doubles = vtkDoubleArray::FastDownCast(array))
+  {
+    return allOf(doubles->GetPointer(0), doubles->GetNumberOfValues(), isFinite);
+  }
+  const auto values = vtk::DataArrayValueRange<3>(array);
+  return std::all_of(values.begin(), values.end(), isFinite);
 }
 
 std::array<double, 6> boundsOfGoodPoints(vtkPolyData* data)

@@ -57,11 +57,11 @@ Status SurfaceMesh::update(vtkPolyData* data, const SurfaceNeeds& needs, int thr
     return buildStatus_;
   }
   this->updateNormals(data);
-  this->supply(data, needs);
+  this->supply(data, needs, threads);
   return {};
 }
 
-void SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs)
+void SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
 {
   const bool lacksNormals =
     needs.vertexNormals && !this->hasPointNormals() && computedNormals_.empty();
@@ -69,7 +69,7 @@ void SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs)
   const bool lacksTriangles = surface_.triangles.empty() && !this->isEmpty();
   if (lacksTriangles && (lacksNormals || lacksFaces || needs.triangles))
   {
-    surface_ = trianglesFromPolyData(data, points_.view());
+    surface_ = trianglesFromPolyData(data, points_.view(), threads);
   }
   if (lacksNormals)
   {
@@ -92,7 +92,7 @@ Status SurfaceMesh::rebuild(vtkPolyData* data, int threads)
   computedNormals_ = {};
   faces_ = {};
   points_.set(data->GetPoints()->GetData());
-  surface_ = trianglesFromPolyData(data, points_.view());
+  surface_ = trianglesFromPolyData(data, points_.view(), threads);
   cellCount_ = static_cast<std::size_t>(data->GetNumberOfCells());
   clusters_ = {};
   return buildClusters(this->view(), threads, clusters_);

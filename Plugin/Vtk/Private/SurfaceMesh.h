@@ -65,7 +65,7 @@ private:
   };
   static Version versionOf(vtkPolyData* data);
   Status rebuild(vtkPolyData* data, int threads);
-  void supply(vtkPolyData* data, const SurfaceNeeds& needs);
+  void supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
   void updateNormals(vtkPolyData* data);
   MeshView view() const;
 

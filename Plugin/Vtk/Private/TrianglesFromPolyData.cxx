@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrianglesFromPolyData.h"
 
+#include "Rendering/Base/Executor.h"
+
 #include "vtkCellArray.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
+#include <atomic>
 
 namespace limn::bridge
 {
@@ -12,10 +17,46 @@ namespace
 
 constexpr std::uint32_t kNoVertex = 0xFFFFFFFFu;
 
+/// Points of triangles, checked.
+class Corners
+{
+public:
+  explicit Corners(const MeshView& points) : points_(points) {}
+
+  template <class Id>
+  std::uint32_t vertex(Id id) const
+  {
+    const bool exists = id >= 0 && static_cast<std::size_t>(id) < points_.vertexCount();
+    return exists ? static_cast<std::uint32_t>(id) : kNoVertex;
+  }
+
+  /// Whether VTK leaves the triangle out: two corners of equal coordinates.
+  bool anyCoincide(const Triangle& t) const
+  {
+    const bool exists =
+      t.vertex[0] != kNoVertex && t.vertex[1] != kNoVertex && t.vertex[2] != kNoVertex;
+    return exists &&
+           (this->coincide(t.vertex[0], t.vertex[1]) || this->coincide(t.vertex[1], t.vertex[2]) ||
+             this->coincide(t.vertex[2], t.vertex[0]));
+  }
+
+private:
+  bool coincide(std::uint32_t a, std::uint32_t b) const
+  {
+    if (points_.positions.empty())
+    {
+      return a == b || points_.precisePositions[a] == points_.precisePositions[b];
+    }
+    return a == b || points_.positions[a] == points_.positions[b];
+  }
+
+  const MeshView& points_;
+};
+
 class TriangleCutter
 {
 public:
-  TriangleCutter(const MeshView& points, SurfaceTriangles& out) : points_(points), out_(out) {}
+  TriangleCutter(const MeshView& points, SurfaceTriangles& out) : corners_(points), out_(out) {}
 
   template <class Id>
   void addFan(const Id* ids, std::size_t count, std::uint32_t cell)
@@ -43,23 +84,12 @@ private:
   template <class Id>
   std::uint32_t vertex(Id id) const
   {
-    const bool exists = id >= 0 && static_cast<std::size_t>(id) < points_.vertexCount();
-    return exists ? static_cast<std::uint32_t>(id) : kNoVertex;
-  }
-
-  bool coincide(std::uint32_t a, std::uint32_t b) const
-  {
-    return a == b ||
-           (a != kNoVertex && b != kNoVertex && points_.position(a) == points_.position(b));
+    return corners_.vertex(id);
   }
 
   void add(Triangle t, std::uint32_t cell)
   {
-    const bool exists =
-      t.vertex[0] != kNoVertex && t.vertex[1] != kNoVertex && t.vertex[2] != kNoVertex;
-    if (exists &&
-        (this->coincide(t.vertex[0], t.vertex[1]) || this->coincide(t.vertex[1], t.vertex[2]) ||
-          this->coincide(t.vertex[2], t.vertex[0])))
+    if (corners_.anyCoincide(t))
     {
       return;
     }
@@ -67,7 +97,7 @@ private:
     out_.cells.push_back(cell);
   }
 
-  const MeshView& points_;
+  Corners corners_;
   SurfaceTriangles& out_;
 };
 
@@ -102,6 +132,57 @@ std::size_t forEachCell(vtkCellArray* cells, Visit visit)
            : forEachCell(cells->GetOffsetsArray32(), cells->GetConnectivityArray32(), visit);
 }
 
+/// The common case: nothing but triangles, none of them left out, and cell t is triangle t. False,
+/// with `triangles` spoilt, if it is another.
+template <class Offsets, class Connectivity>
+bool copyPlainTriangles(const Offsets& offsets, const Connectivity& connectivity,
+  const MeshView& points, int threads, Array<Triangle>& triangles)
+{
+  constexpr std::size_t kChunk = 1 << 16;
+  const auto cells = static_cast<std::size_t>(offsets->GetNumberOfValues() - 1);
+  if (connectivity->GetNumberOfValues() != static_cast<vtkIdType>(3 * cells))
+  {
+    return false;
+  }
+  const Corners corners(points);
+  const auto* const ids = connectivity->GetPointer(0);
+  const auto* const offset = offsets->GetPointer(0);
+  triangles.resize(cells);
+  std::atomic<bool> plain = true;
+  parallelFor(threads, (cells + kChunk - 1) / kChunk,
+    [&](std::size_t chunk)
+    {
+      for (std::size_t t = chunk * kChunk; t < std::min(cells, (chunk + 1) * kChunk); ++t)
+      {
+        triangles[t] = { { corners.vertex(ids[3 * t]), corners.vertex(ids[3 * t + 1]),
+          corners.vertex(ids[3 * t + 2]) } };
+        const bool isPlain = offset[t] == static_cast<vtkIdType>(3 * t) &&
+                             offset[t + 1] == static_cast<vtkIdType>(3 * t + 3) &&
+                             !corners.anyCoincide(triangles[t]);
+        if (!isPlain)
+        {
+          plain = false;
+          return;
+        }
+      }
+    });
+  return plain;
+}
+
+bool copyPlainTriangles(
+  vtkPolyData* data, const MeshView& points, int threads, Array<Triangle>& triangles)
+{
+  vtkCellArray* const polys = data->GetPolys();
+  if (polys->GetNumberOfCells() == 0 || polys->GetNumberOfCells() != data->GetNumberOfCells())
+  {
+    return false;
+  }
+  return polys->IsStorage64Bit() ? copyPlainTriangles(polys->GetOffsetsArray64(),
+                                     polys->GetConnectivityArray64(), points, threads, triangles)
+                                 : copyPlainTriangles(polys->GetOffsetsArray32(),
+                                     polys->GetConnectivityArray32(), points, threads, triangles);
+}
+
 bool isIdentity(const std::vector<std::uint32_t>& cells, vtkIdType cellCount)
 {
   if (static_cast<vtkIdType>(cells.size()) != cellCount)
@@ -120,9 +201,14 @@ bool isIdentity(const std::vector<std::uint32_t>& cells, vtkIdType cellCount)
 
 } // namespace
 
-SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, const MeshView& points)
+SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, const MeshView& points, int threads)
 {
   SurfaceTriangles surface;
+  if (copyPlainTriangles(data, points, threads, surface.triangles))
+  {
+    return surface;
+  }
+  surface.triangles.clear();
   TriangleCutter cutter(points, surface);
   vtkCellArray* const polys = data->GetPolys();
   vtkCellArray* const strips = data->GetStrips();

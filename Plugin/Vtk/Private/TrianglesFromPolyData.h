@@ -3,6 +3,7 @@
 #ifndef TrianglesFromPolyData_h
 #define TrianglesFromPolyData_h
 
+#include "Rendering/Base/Array.h"
 #include "Rendering/Mesh/MeshView.h"
 
 #include <vector>
@@ -15,7 +16,7 @@ namespace limn::bridge
 /// Triangles of a vtkPolyData, in the order in which VTK draws them: polygons, then strips.
 struct SurfaceTriangles
 {
-  std::vector<Triangle> triangles;
+  Array<Triangle> triangles;
   std::vector<std::uint32_t> cells; ///< VTK's cell of each triangle; empty if triangle t is cell t
   std::size_t malformedCells = 0;   ///< left out: they reach beyond the cell array
 };
@@ -24,7 +25,8 @@ struct SurfaceTriangles
 /// Leaves out triangles with two corners of equal coordinates, as VTK does. Points that do not
 /// exist become a number that is out of range for any mesh. Requires: `points` views the points of
 /// `data`.
-SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, const MeshView& points);
+/// `threads`: at most so many, 0 all; the result does not depend on it.
+SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, const MeshView& points, int threads);
 
 } // namespace limn::bridge
 
