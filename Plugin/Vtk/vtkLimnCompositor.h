@@ -76,6 +76,11 @@ public:
   virtual void RenderMapperWithBackend(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper);
 
   /**
+   * A new actor of the backend's own kind that draws as vtkLimnActor does; the caller owns it.
+   */
+  virtual vtkActor* NewActor() = 0;
+
+  /**
    * Frees what belongs to a window's graphics context.
    */
   virtual void ReleaseGraphicsResources(vtkWindow* window) = 0;

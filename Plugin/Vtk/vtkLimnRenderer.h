@@ -38,6 +38,11 @@ public:
    */
   vtkPropCollection* GetPropsToPickFrom();
 
+  /**
+   * A warning that this renderer says only the first time.
+   */
+  void WarnOnce(const std::string& what);
+
 protected:
   vtkLimnRenderer() = default;
   ~vtkLimnRenderer() override = default;
@@ -50,7 +55,6 @@ private:
   vtkLimnRenderer(const vtkLimnRenderer&) = delete;
   void operator=(const vtkLimnRenderer&) = delete;
 
-  void WarnOnce(const std::string& what);
   void DropPropsThatAreNotDrawn();
   void WarnOfUnusedSettings();
 

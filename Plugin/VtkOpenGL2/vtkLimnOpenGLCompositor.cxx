@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLimnOpenGLCompositor.h"
 
+#include "vtkLimnOpenGLActor.h"
+
 #include "Private/BackendActor.h"
 #include "Private/LayerPainter.h"
 #include "Private/SampleMatch.h"
@@ -190,6 +192,13 @@ void vtkLimnOpenGLCompositor::RenderMapperWithBackend(
     this->Internals->TwinOf(window, actor, mapper, this)
       .RenderOpenGLMapper(renderer, actor, mapper);
   }
+}
+
+vtkActor* vtkLimnOpenGLCompositor::NewActor()
+{
+  vtkLimnOpenGLActor* actor = vtkLimnOpenGLActor::New();
+  actor->SetCompositor(this);
+  return actor;
 }
 
 void vtkLimnOpenGLCompositor::ReleaseGraphicsResources(vtkWindow* window)

@@ -50,6 +50,8 @@ public:
 
   void RenderMapperWithBackend(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper) override;
 
+  vtkActor* NewActor() override;
+
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
 protected:

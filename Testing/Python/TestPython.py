@@ -68,6 +68,34 @@ class ImportTest(unittest.TestCase):
         _, names, _ = run(program, LIMN_DISABLE="1")
         self.assertIn("vtkOpenGLPolyDataMapper vtkXOpenGLRenderWindow", names)
 
+    def test_actors_that_vtk_makes(self):
+        """An image is drawn by an actor that VTK makes for itself and takes to be OpenGL's."""
+        (line,) = run("""
+import limn
+import vtkmodules.vtkRenderingOpenGL2
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
+from vtkmodules.vtkRenderingCore import vtkImageActor, vtkRenderer, vtkRenderWindow
+source = vtkRTAnalyticSource()
+image = vtkImageActor()
+image.GetMapper().SetInputConnection(source.GetOutputPort())
+renderer = vtkRenderer()
+renderer.AddActor(image)
+window = vtkRenderWindow()
+window.SetOffScreenRendering(1)
+window.AddRenderer(renderer)
+window.Render()
+print("drawn")
+""")
+        self.assertEqual(line, "drawn")
+
+    def test_volumes_without_display(self):
+        (line,) = run("""
+import limn
+from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
+print(vtkSmartVolumeMapper().GetClassName())
+""", ["DISPLAY"], LIMN_WINDOW="cpu")
+        self.assertEqual(line, "vtkSmartVolumeMapper")
+
     def test_names(self):
         (line,) = run("import limn\nprint(sorted(n for n in dir(limn) if n.startswith('vtkLimn')))")
         for name in ("Actor", "OpenGLCompositor", "PolyDataMapper", "Property", "RenderWindow"):

@@ -31,7 +31,7 @@ int TestLimnEnvironment(int argc, char* argv[])
   else if (setting == "gl")
   {
     CHECK_EQUAL(windowClass, "vtkRenderWindow");
-    CHECK_EQUAL(actorClass, "vtkLimnActor");
+    CHECK_EQUAL(actorClass, "vtkLimnOpenGLActor");
   }
   else if (setting == "disabled")
   {

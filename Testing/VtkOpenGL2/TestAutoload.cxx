@@ -98,7 +98,7 @@ TEST_P(PlainProgramTest, IsDrawnByLimnInAnOpenGLWindow)
   const Outcome limn = RunProgram(Autoload, this->Cone);
   ASSERT_EQ(limn.Status, 0) << limn.Output;
   EXPECT_TRUE(Says(limn, "mapper=vtkLimnPolyDataMapper")) << limn.Output;
-  EXPECT_TRUE(Says(limn, "actor=vtkLimnActor")) << limn.Output;
+  EXPECT_TRUE(Says(limn, "actor=vtkLimnOpenGLActor")) << limn.Output;
   EXPECT_TRUE(Says(limn, "property=vtkLimnProperty")) << limn.Output;
   EXPECT_TRUE(Says(limn, "window=vtkXOpenGLRenderWindow")) << limn.Output;
   ExpectAlike(vtk, limn, GetParam());

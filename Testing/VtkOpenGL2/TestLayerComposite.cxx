@@ -23,6 +23,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <sstream>
 #include <string>
 
@@ -248,23 +250,31 @@ TEST(LayerComposite, BlendsSharesWithoutMultisampling)
 }
 
 // Only the touched rectangle counts, whatever else is in the planes or was in the last picture.
-TEST(LayerComposite, DrawsOnlyWhatIsTouched)
+class TouchedTest : public testing::TestWithParam<int>
 {
-  GLScene scene(0);
-  OwnedLayer layer(200, 160, 1);
+};
+
+TEST_P(TouchedTest, NothingElseIsDrawn)
+{
+  const int samples = GetParam();
+  GLScene scene(samples);
+  OwnedLayer layer(200, 160, std::max(samples, 1));
+  const unsigned char all = samples == 4 ? 15 : 1;
   for (int y = 0; y < 160; ++y)
   {
     for (int x = 0; x < 200; ++x)
     {
       const unsigned char rgb[3] = { static_cast<unsigned char>(x), static_cast<unsigned char>(y),
         7 };
-      layer.Set(x, y, rgb, 0.5f, 1);
+      layer.Set(x, y, rgb, 0.5f, all);
     }
   }
+  const Picture background = scene.Render();
   vtkNew<LayerProp> prop;
   prop->Layer = &layer;
   scene.Renderer->AddViewProp(prop);
-  const int rectangles[3][4] = { { 0, 0, 200, 160 }, { 30, 40, 90, 100 }, { 150, 0, 300, 200 } };
+  const int rectangles[4][4] = { { 0, 0, 200, 160 }, { 30, 40, 90, 100 }, { 150, 0, 300, 200 },
+    { 99, 25, 101, 123 } };
   for (const auto& touched : rectangles)
   {
     layer.Touch(touched[0], touched[1], touched[2], touched[3]);
@@ -276,12 +286,14 @@ TEST(LayerComposite, DrawsOnlyWhatIsTouched)
       {
         const bool inside = x >= touched[0] && x < touched[2] && y >= touched[1] && y < touched[3];
         const unsigned char* rgb = picture.At(x, y);
-        wrong += inside != (rgb[0] == x && rgb[1] == y && rgb[2] == 7);
+        wrong += inside ? rgb[0] != x || rgb[1] != y || rgb[2] != 7
+                        : !std::equal(rgb, rgb + 3, background.At(x, y));
       }
     }
     EXPECT_EQ(wrong, 0) << touched[0];
   }
 }
+INSTANTIATE_TEST_SUITE_P(Samples, TouchedTest, testing::Values(0, 4));
 
 // Each viewport and layer of a window gets its own picture, and none leaks into another.
 TEST(LayerComposite, KeepsViewportsAndLayersApart)

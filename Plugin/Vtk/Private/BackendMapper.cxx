@@ -9,6 +9,7 @@
 #include "vtkMapper.h"
 #include "vtkRenderer.h"
 
+#include <set>
 #include <string>
 
 namespace limn::bridge
@@ -19,9 +20,10 @@ namespace
 // Never deleted: it outlives every window that a program may leave open until it ends.
 vtkLimnCompositor* theCompositor = nullptr;
 
+/// Whether only OpenGL's mapper draws it; VTK's glyph mapper is abstract in all but name.
 bool belongsToOpenGL(vtkMapper* mapper)
 {
-  return mapper->IsA("vtkOpenGLPolyDataMapper") ||
+  return mapper->IsA("vtkOpenGLPolyDataMapper") || mapper->IsA("vtkGlyph3DMapper") ||
          std::string(mapper->GetClassName()).rfind("vtkOpenGL", 0) == 0;
 }
 
@@ -47,11 +49,14 @@ void renderMapper(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
     vtkLimnRenderWindow::SafeDownCast(renderer->GetRenderWindow()) != nullptr;
   if (isInLimnWindow && belongsToOpenGL(mapper))
   {
-    vtkErrorWithObjectMacro(actor,
-      "A "
-        << mapper->GetClassName()
-        << " draws in OpenGL windows only; use vtkLimnPolyDataMapper here, or set LIMN_WINDOW=cpu, "
-           "so that vtkPolyDataMapper::New() makes one.");
+    static std::set<std::string> reported;
+    if (reported.insert(mapper->GetClassName()).second)
+    {
+      vtkErrorWithObjectMacro(
+        actor, "A " << mapper->GetClassName()
+                    << " draws in OpenGL windows only; use vtkLimnPolyDataMapper here, or set "
+                       "LIMN_WINDOW=cpu, so that vtkPolyDataMapper::New() makes one.");
+    }
     return;
   }
   if (isInLimnWindow || vtkLimnPolyDataMapper::SafeDownCast(mapper) || !compositor())

@@ -5,6 +5,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace limn::bridge
@@ -14,9 +15,11 @@ namespace
 
 using Frame = vtkLimnRenderWindow::vtkFrame;
 
+// As llvmpipe makes bytes of a clear colour: in float, halves to even.
 std::uint8_t toByte(double value)
 {
-  return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255.0 + 0.5);
+  const float bounded = static_cast<float>(std::clamp(value, 0.0, 1.0));
+  return static_cast<std::uint8_t>(std::nearbyint(bounded * 255.0f));
 }
 
 /// The colour of one row of the window.

@@ -10,6 +10,7 @@
 #include "vtkLimnCompositor.h"
 #include "vtkLimnHardwareSelector.h"
 #include "vtkLimnRenderWindow.h"
+#include "vtkLimnRenderer.h"
 
 #include "vtkActor.h"
 #include "vtkAlgorithm.h"
@@ -18,6 +19,7 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <string>
 
 namespace limn::bridge
 {
@@ -34,15 +36,15 @@ void updateInput(vtkLimnPolyDataMapper* mapper)
   mapper->InvokeEvent(vtkCommand::EndEvent);
 }
 
-void warnOnce(vtkLimnPolyDataMapper* mapper, vtkActor* actor, const Missing& missing)
+/// Once for all actors of a renderer: the axes of one cube are a dozen.
+void warnOnce(vtkRenderer* renderer, vtkActor* actor, const Missing& missing)
 {
-  if (mapper->GetInternals().Warnings.insert(missing.feature).second)
+  if (vtkLimnRenderer* const ours = vtkLimnRenderer::SafeDownCast(renderer))
   {
-    vtkWarningWithObjectMacro(
-      mapper, "A " << actor->GetClassName() << " asks for " << missing.feature
-                   << ", which Limn cannot draw yet. "
-                   << (missing.surfaceIsDrawn ? "It is drawn without." : "It is not drawn.")
-                   << " Use an OpenGL window (LIMN_WINDOW=gl) for it.");
+    ours->WarnOnce(std::string("A ") + actor->GetClassName() + " asks for " + missing.feature +
+                   ", which Limn cannot draw yet. " +
+                   (missing.surfaceIsDrawn ? "It is drawn without." : "It is not drawn.") +
+                   " Use an OpenGL window (LIMN_WINDOW=gl) for it.");
   }
 }
 
@@ -59,7 +61,7 @@ void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface)
   const std::vector<Missing> missing = whatIsMissing(surface.actor, surface.mapper);
   for (const Missing& one : missing)
   {
-    warnOnce(surface.mapper, surface.actor, one);
+    warnOnce(renderer, surface.actor, one);
   }
   if (std::all_of(
         missing.begin(), missing.end(), [](const Missing& one) { return one.surfaceIsDrawn; }))

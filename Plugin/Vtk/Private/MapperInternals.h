@@ -8,15 +8,11 @@
 
 #include "vtkLimnPolyDataMapper.h"
 
-#include <set>
-#include <string>
-
 class vtkLimnPolyDataMapper::vtkInternals
 {
 public:
   limn::bridge::SurfaceMesh Mesh;
   limn::bridge::InputBounds InputBounds;
-  std::set<std::string> Warnings;     ///< features that are missing, said already
   vtkIdType ComplainedAboutBuild = 0; ///< of which geometry what was left out was said
 };
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ObjectFactory.h"
 
+#include "BackendMapper.h"
+
 #include "vtkLimnActor.h"
 #include "vtkLimnCamera.h"
+#include "vtkLimnCompositor.h"
 #include "vtkLimnHardwareSelector.h"
 #include "vtkLimnPolyDataMapper.h"
 #include "vtkLimnProperty.h"
@@ -123,18 +126,25 @@ bool AnotherMakesWindows(vtkObjectFactory* self)
   return makes;
 }
 
-// Factories of the modules that draw with OpenGL or open windows on a screen.
+// Factories of the modules that draw with OpenGL or open windows on a screen. Not the one of
+// volumes: their mappers cannot be made without it, and our window leaves volumes out before any is
+// drawn.
 bool NeedsDisplay(vtkObjectFactory* factory)
 {
   const std::string name = factory->GetClassName();
+  if (name.find("Volume") != std::string::npos)
+  {
+    return false;
+  }
   return name == "vtkRenderingUIObjectFactory" ||
          (name.find("OpenGL2") != std::string::npos && name.rfind("vtkLimn", 0) != 0);
 }
 
-// One window of ours with one prop of OpenGL's would end the program.
+// One window of ours with one prop of OpenGL's would end the program. The list of GPUs draws
+// nothing, and volume mappers cannot be made without it.
 void SwitchOff(vtkObjectFactory* factory, const char* className)
 {
-  if (factory->HasOverride(className))
+  if (factory->HasOverride(className) && std::strcmp(className, "vtkGPUInfoList") != 0)
   {
     factory->Disable(className);
   }
@@ -188,6 +198,10 @@ vtkObject* vtkLimnObjectFactory::CreateObject(const char* className)
   const auto found = std::find_if(std::begin(Overrides), std::end(Overrides),
     [className](const Override& one) { return std::strcmp(one.Base, className) == 0; });
   const bool isOurs = found != std::end(Overrides) && (isCpu || found->InOpenGLWindows);
+  if (isOurs && !isCpu && std::strcmp(className, "vtkActor") == 0 && limn::bridge::compositor())
+  {
+    return limn::bridge::compositor()->NewActor();
+  }
   return isOurs ? this->Superclass::CreateObject(className) : nullptr;
 }
 

@@ -35,6 +35,7 @@ namespace
 bool rendersAsItself(vtkActor* actor)
 {
   return vtkLimnActor::SafeDownCast(actor) ||
+         std::strcmp(actor->GetClassName(), "vtkLimnOpenGLActor") == 0 ||
          std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0;
 }
 

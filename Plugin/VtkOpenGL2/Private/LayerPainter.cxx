@@ -24,6 +24,7 @@ const char* const FetchPixel = R"(
 //VTK::Output::Dec
 in vec2 texCoord;
 uniform vec2 layerSize;
+uniform vec4 touched;
 uniform sampler2D colorPlane;
 uniform sampler2D depthPlane;
 uniform sampler2D coveragePlane;
@@ -32,6 +33,12 @@ uniform int layerSample[32];
 void main()
 {
   ivec2 pixel = ivec2(texCoord * layerSize);
+  // The textures are old outside. A scissor box alone lets samples of the next column through when
+  // llvmpipe multisamples.
+  if (any(lessThan(vec2(pixel), touched.xy)) || any(greaterThanEqual(vec2(pixel), touched.zw)))
+  {
+    discard;
+  }
   int covered = int(texelFetch(coveragePlane, pixel, 0).r * 255.0 + 0.5);
   if (covered == 0)
   {
@@ -252,6 +259,11 @@ void LayerPainter::Draw(const vtkLimnCompositor::Layer& layer)
   vtkOpenGLQuadHelper& quad = this->ReadyQuad(masked);
   const float size[2] = { static_cast<float>(layer.Width), static_cast<float>(layer.Height) };
   quad.Program->SetUniform2f("layerSize", size);
+  const Rectangle rectangle = TouchedRectangle(layer);
+  const float touched[4] = { static_cast<float>(rectangle.X), static_cast<float>(rectangle.Y),
+    static_cast<float>(rectangle.X + rectangle.Width),
+    static_cast<float>(rectangle.Y + rectangle.Height) };
+  quad.Program->SetUniform4f("touched", touched);
   quad.Program->SetUniformi("colorPlane", this->Color.Texture->GetTextureUnit());
   quad.Program->SetUniformi("depthPlane", this->Depth.Texture->GetTextureUnit());
   quad.Program->SetUniformi("coveragePlane", this->Coverage.Texture->GetTextureUnit());

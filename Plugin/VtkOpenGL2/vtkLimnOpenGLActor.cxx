@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLimnOpenGLActor.h"
+
+#include "vtkLimnCompositor.h"
+#include "vtkLimnPolyDataMapper.h"
+
+#include "vtkMapper.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkRenderer.h"
+
+vtkStandardNewMacro(vtkLimnOpenGLActor);
+
+//------------------------------------------------------------------------------
+void vtkLimnOpenGLActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
+{
+  const bool isInOpenGLWindow = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!isInOpenGLWindow || !this->Compositor || vtkLimnPolyDataMapper::SafeDownCast(mapper))
+  {
+    mapper->Render(renderer, this);
+  }
+  else
+  {
+    this->Compositor->RenderMapperWithBackend(renderer, this, mapper);
+  }
+  this->EstimatedRenderTime += mapper->GetTimeToDraw();
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnOpenGLActor::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Compositor: " << this->Compositor << "\n";
+}
