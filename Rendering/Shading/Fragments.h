@@ -78,6 +78,8 @@ class FragmentShader {
                   const TileRectangle& pixels);
 
   FragmentBatch batch_;
+  std::uint32_t clippedOwner_ = kNobody;  ///< of the tile being shaded
+  ClippedTriangle clipped_;
   std::vector<std::uint32_t> order_;  ///< numbers of fragments
   // For orderByInstance(): by instance of the scene, by number in the tile, by fragment.
   std::vector<std::uint32_t> numberInTile_;

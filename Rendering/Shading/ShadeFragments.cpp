@@ -71,10 +71,10 @@ float shareAt(const OrientedTriangle& triangle, int i, ShadingPoint p)
 }
 
 /// placeFragments() of one fragment of a triangle that has to be clipped.
-void placeClipped(const PlacedCluster& cluster, std::uint32_t triangle, FragmentBatch& batch, int i)
+void placeClipped(const PlacedCluster& cluster, const ClippedTriangle& polygon,
+                  FragmentBatch& batch, int i)
 {
   const ShadingPoint p = {batch.pointX[i], batch.pointY[i]};
-  const ClippedTriangle polygon = clipClusterTriangle(cluster, triangle);
   const FanPiece piece = pieceAt(polygon, *cluster.placed->instance, p);
   batch.side[i] = piece.triangle.clockwise != cluster.placed->transform.mirrored ? -1.0f : 1.0f;
   const float share[3] = {shareAt(piece.triangle, 0, p), shareAt(piece.triangle, 1, p),
@@ -199,8 +199,13 @@ void FragmentShader::shadeBatch(const TileClusters& clusters, const PlacedInstan
   }
   placeFragments(placed.transform, pixels, batch_);
   for (int i = 0; i < batch_.count; ++i)
-    if (batch_.needsClip[i] != 0)
-      placeClipped(clusterOf(i), TileOwner::triangle(batch_.owner[i]), batch_, i);
+    if (batch_.needsClip[i] != 0) {
+      // Clipped triangles are mostly large: the next fragment shows the same.
+      if (batch_.owner[i] != clippedOwner_)
+        clipped_ = clipClusterTriangle(clusterOf(i), TileOwner::triangle(batch_.owner[i]));
+      clippedOwner_ = batch_.owner[i];
+      placeClipped(clusterOf(i), clipped_, batch_, i);
+    }
   lightFragments({clusters.scene, &placed}, batch_);
 }
 
@@ -208,6 +213,7 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
                            const FragmentList& fragments, Array<Rgba8>& colors)
 {
   colors.resize(fragments.count);
+  clippedOwner_ = kNobody;
   const bool isOrdered =
       clusters.scene->instances.size() > 1 && orderByInstance(clusters, fragments);
   const auto numberOf = [&](std::size_t i) { return isOrdered ? order_[i] : i; };

@@ -95,6 +95,21 @@ TEST(BuildClusters, KeepDegenerateTriangles)
   expectEachTriangleOnce({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {}, {{{0, 1, 2}}, {{1, 1, 1}}}});
 }
 
+TEST(BuildClusters, KeepOnlyNeighboursTogether)
+{
+  // Triangles of two far clouds, in turn.
+  Mesh clouds;
+  for (std::uint32_t t = 0; t < 2000; ++t) {
+    const float x = t % 2 == 0 ? 0.0f : 1000.0f, y = static_cast<float>(t / 2 % 32),
+                z = static_cast<float>(t / 64);
+    clouds.positions.insert(clouds.positions.end(), {{x, y, z}, {x + 1, y, z}, {x, y + 1, z}});
+    clouds.triangles.push_back({{3 * t, 3 * t + 1, 3 * t + 2}});
+  }
+  const ClusteredMesh clusters = clustersOf(clouds);
+  const auto spansBoth = [](const Cluster& c) { return c.high.x - c.low.x > 500; };
+  EXPECT_LE(std::count_if(clusters.clusters.begin(), clusters.clusters.end(), spansBoth), 2);
+}
+
 TEST(BuildClusters, AreWellFilledOnAGrid)
 {
   const ClusteredMesh clusters = clustersOf(meshOf(torus(300, 300, 1, 0.4)));

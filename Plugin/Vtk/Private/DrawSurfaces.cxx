@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace limn::bridge
 {
@@ -37,9 +38,14 @@ void updateInput(vtkLimnPolyDataMapper* mapper)
 }
 
 /// Once for all actors of a renderer: the axes of one cube are a dozen.
-void warnOnce(vtkRenderer* renderer, vtkActor* actor, const Missing& missing)
+void warnOfMissing(vtkRenderer* renderer, vtkActor* actor, const std::vector<Missing>& all)
 {
-  if (vtkLimnRenderer* const ours = vtkLimnRenderer::SafeDownCast(renderer))
+  vtkLimnRenderer* const ours = vtkLimnRenderer::SafeDownCast(renderer);
+  if (!ours)
+  {
+    return;
+  }
+  for (const Missing& missing : all)
   {
     ours->WarnOnce(std::string("A ") + actor->GetClassName() + " asks for " + missing.feature +
                    ", which Limn cannot draw yet. " +
@@ -59,10 +65,7 @@ void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface)
     return;
   }
   const std::vector<Missing> missing = whatIsMissing(surface.actor, surface.mapper);
-  for (const Missing& one : missing)
-  {
-    warnOnce(renderer, surface.actor, one);
-  }
+  warnOfMissing(renderer, surface.actor, missing);
   if (std::all_of(
         missing.begin(), missing.end(), [](const Missing& one) { return one.surfaceIsDrawn; }))
   {
@@ -79,6 +82,11 @@ void collectSurfaces(vtkRenderer* renderer)
 
 void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper)
 {
+  if (!renderer->GetSelector() && passOf(renderer).hasDrawn(actor, mapper))
+  {
+    warnOfMissing(renderer, actor, whatIsMissing(actor, mapper));
+    return;
+  }
   updateInput(mapper);
   if (!mapper->GetInput()->GetPoints())
   {

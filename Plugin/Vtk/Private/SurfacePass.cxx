@@ -150,6 +150,12 @@ void SurfacePass::startPass()
   this->drawTogether(surfaces);
 }
 
+bool SurfacePass::hasDrawn(vtkActor* actor, vtkMapper* mapper)
+{
+  return actor->GetMapper() == mapper && isInPass_ && this->isSameView() &&
+         this->isCrossedOff(actor);
+}
+
 void SurfacePass::draw(const Surface& surface)
 {
   const bool isOfActor = surface.actor->GetMapper() == surface.mapper;

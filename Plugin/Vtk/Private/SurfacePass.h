@@ -13,6 +13,7 @@
 
 class vtkLimnRenderWindow;
 class vtkObject;
+class vtkMapper;
 class vtkRenderer;
 
 namespace limn::bridge
@@ -32,6 +33,10 @@ public:
   /// The surfaces that will come, if they are known before the first does.
   void expect(std::vector<Surface> surfaces);
   void draw(const Surface& surface);
+
+  /// Whether this pass has drawn the actor's surface together with others, so that draw() would
+  /// have nothing to do. Says so once for each time that the actor was collected.
+  bool hasDrawn(vtkActor* actor, vtkMapper* mapper);
 
 private:
   bool isCrossedOff(vtkActor* actor);

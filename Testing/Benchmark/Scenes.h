@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Scenes_h
+#define Scenes_h
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+/// What is timed. Each scene is bound by one thing: triangles, pixels, actors or samples.
+struct Part
+{
+  vtkSmartPointer<vtkPolyData> Data;
+  std::array<double, 3> Position;
+};
+
+struct Scene
+{
+  std::string Name;
+  std::vector<Part> Parts;
+  int Width = 1280;
+  int Height = 720;
+  int Samples = 0; ///< as vtkRenderWindow::SetMultiSamples() takes them
+  double Elevation = -50;
+  double Zoom = 1;
+
+  long long CountTriangles() const;
+};
+
+struct SceneMaker
+{
+  std::string Name;
+  std::function<Scene()> Make;
+};
+
+/// In the order of the table.
+const std::vector<SceneMaker>& SceneMakers();
+
+#endif
