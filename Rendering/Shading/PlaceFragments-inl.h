@@ -29,6 +29,11 @@ class Gatherer {
   void gather(std::size_t i) const
   {
     const VI owner = hn::BitCast(DI(), hn::Load(hn::RebindToUnsigned<DI>(), batch_.owner + i));
+    if (hn::AllTrue(DI(),
+                    hn::Eq(owner, hn::Set(DI(), static_cast<std::int32_t>(batch_.owner[i]))))) {
+      spread(i);
+      return;
+    }
     const VI slot = hn::ShiftRight<TileOwner::kTriangleBits>(owner);
     const VI number = hn::And(owner, hn::Set(DI(), (1 << TileOwner::kTriangleBits) - 1));
     const VI entry = hn::Mul(
@@ -51,6 +56,41 @@ class Gatherer {
   }
 
  private:
+  /// gather() of a vector that shows one triangle only, as most do of large triangles.
+  void spread(std::size_t i) const
+  {
+    const std::uint32_t owner = batch_.owner[i];
+    const ClusterBounds& cluster = clusters_.list[TileOwner::slot(owner)].bounds;
+    const std::size_t place = cluster.firstTriangle + TileOwner::triangle(owner);
+    for (int k = 0; k < 3; ++k) {
+      const std::size_t v = cluster.firstVertex + mesh_.corner[k][place];
+      storeAll({mesh_.x[v], mesh_.y[v], mesh_.z[v]}, batch_.corner[k], i);
+      if (mesh_.hasLowParts())
+        storeAll({mesh_.xLow[v], mesh_.yLow[v], mesh_.zLow[v]}, batch_.cornerLow[k], i);
+      const std::uint32_t vertex = mesh_.vertex[v];
+      if (normals_ == NormalSource::kVertex)
+        storeAll(data_.vertexNormals[vertex], batch_.cornerNormal[k], i);
+      if (!data_.vertexColors.empty())
+        storeAll(bytes(data_.vertexColors[vertex]), batch_.cornerColor[k], i);
+    }
+    const std::uint32_t triangle = mesh_.triangle[place];
+    const std::uint32_t cell = data_.cells.empty() ? triangle : data_.cells[triangle];
+    if (data_.vertexColors.empty() && !data_.cellColors.empty())
+      storeAll(bytes(data_.cellColors[cell]), batch_.cornerColor[0], i);
+    if (normals_ == NormalSource::kCell)
+      storeAll(data_.cellNormals[cell], batch_.cornerNormal[0], i);
+  }
+  static HWY_INLINE Vec3f bytes(Rgba8 c)
+  {
+    return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+  }
+  static HWY_INLINE void storeAll(Vec3f v, FragmentBatch::Vectors& to, std::size_t i)
+  {
+    hn::Store(hn::Set(DF(), v.x), DF(), to.x + i);
+    hn::Store(hn::Set(DF(), v.y), DF(), to.y + i);
+    hn::Store(hn::Set(DF(), v.z), DF(), to.z + i);
+  }
+
   static HWY_INLINE VI indices(const std::uint32_t* from, VI index)
   {
     return hn::GatherIndex(DI(), reinterpret_cast<const std::int32_t*>(from), index);

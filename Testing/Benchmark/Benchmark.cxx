@@ -107,6 +107,7 @@ public:
   double Draw()
   {
     this->Renderer->GetActiveCamera()->Azimuth(3);
+    this->Renderer->ResetCameraClippingRange();
     const auto start = Clock::now();
     this->Window->Render();
     const int* size = this->Window->GetSize();
