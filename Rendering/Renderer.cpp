@@ -21,8 +21,8 @@ namespace {
 
 /// What a thread needs for one tile; kept from frame to frame, so that no tile allocates.
 struct TileMemory {
-  std::vector<TileCluster> ordered;
   VisibilityTile visible;
+  std::vector<TileCluster> ordered;
   FragmentList fragments;
   Array<Rgba8> colors;
   FragmentShader shader;
