@@ -96,6 +96,17 @@ print(vtkSmartVolumeMapper().GetClassName())
 """, ["DISPLAY"], LIMN_WINDOW="cpu")
         self.assertEqual(line, "vtkSmartVolumeMapper")
 
+    def test_polygon_of_no_points(self):
+        scene = SCENE.replace("actor.SetMapper(mapper)", """
+from vtkmodules.vtkCommonCore import vtkIdList
+cone.Update()
+for i in range(80):
+    cone.GetOutput().GetPolys().InsertNextCell(0)
+mapper.SetInputDataObject(cone.GetOutput())
+actor.SetMapper(mapper)""")
+        lit, *_ = run("import limn\n" + scene, ["DISPLAY"], LIMN_WINDOW="cpu")
+        self.assertEqual(lit, "[True, True, False]")
+
     def test_names(self):
         (line,) = run("import limn\nprint(sorted(n for n in dir(limn) if n.startswith('vtkLimn')))")
         for name in ("Actor", "OpenGLCompositor", "PolyDataMapper", "Property", "RenderWindow"):

@@ -212,9 +212,11 @@ SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, const MeshView& points
   TriangleCutter cutter(points, surface);
   vtkCellArray* const polys = data->GetPolys();
   vtkCellArray* const strips = data->GetStrips();
-  const std::size_t expected =
-    static_cast<std::size_t>(polys->GetNumberOfConnectivityIds() - 2 * polys->GetNumberOfCells() +
-                             strips->GetNumberOfConnectivityIds());
+  // A polygon of no points makes less than none.
+  const auto expected = static_cast<std::size_t>(
+    std::max<vtkIdType>(polys->GetNumberOfConnectivityIds() - 2 * polys->GetNumberOfCells() +
+                          strips->GetNumberOfConnectivityIds(),
+      0));
   surface.triangles.reserve(expected);
   surface.cells.reserve(expected);
 
