@@ -5,6 +5,8 @@
 #include "Rendering/Raster/EdgeFunction.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <limits>
 #include <numeric>
