@@ -24,7 +24,7 @@ struct TileMemory {
   VisibilityTile visible;
   std::vector<TileCluster> ordered;
   FragmentList fragments;
-  Array<Rgba8> colors;
+  TileColors colors;
   FragmentShader shader;
 };
 

@@ -72,68 +72,97 @@ Nearest nearestSample(const TileClusters& clusters, const VisibilityTile& tile, 
   return nearest;
 }
 
+/// Where a tile's pixels lie in the frame.
+class TilePlace {
+ public:
+  TilePlace(const TileRectangle& pixels, const FrameView& frame)
+      : first_(pixels.y0 * frame.rowStride + pixels.x0), rowStride_(frame.rowStride)
+  {
+  }
+  std::ptrdiff_t indexOf(std::size_t pixel) const
+  {
+    return first_ + static_cast<std::ptrdiff_t>(pixel / kTileSide) * rowStride_ +
+           static_cast<std::ptrdiff_t>(pixel % kTileSide);
+  }
+
+ private:
+  std::ptrdiff_t first_, rowStride_;
+};
+
 void writeNames(const TileClusters& clusters, std::uint32_t owner, const FrameView& frame,
-                std::ptrdiff_t index)
+                std::ptrdiff_t index, std::size_t count)
 {
   if (frame.instance == nullptr && frame.cell == nullptr) return;
   const PlacedCluster cluster = clusters.at(TileOwner::slot(owner));
   const Instance& instance = *cluster.placed->instance;
-  if (frame.instance != nullptr) frame.instance[index] = instance.id;
+  if (frame.instance != nullptr) std::fill_n(frame.instance + index, count, instance.id);
   if (frame.cell != nullptr) {
     const std::uint32_t triangle = cluster.meshTriangle(TileOwner::triangle(owner));
-    frame.cell[index] =
-        instance.attributes.cells.empty() ? triangle : instance.attributes.cells[triangle];
+    std::fill_n(frame.cell + index, count,
+                instance.attributes.cells.empty() ? triangle : instance.attributes.cells[triangle]);
   }
 }
 
-/// One sample a pixel: nothing to mix.
-void copyTile(const TileClusters& clusters, const VisibilityTile& tile, const TileRectangle& pixels,
-              const FragmentList& fragments, const Array<Rgba8>& colors, const FrameView& frame)
+/// Of one sample a pixel. Where nobody is seen the tile holds the frame's own depth.
+void copyDepth(const VisibilityTile& tile, const TileRectangle& pixels, const FrameView& frame)
 {
-  const auto indexOf = [&](std::uint32_t pixel) {
-    return (pixels.y0 + static_cast<std::ptrdiff_t>(pixel / kTileSide)) * frame.rowStride +
-           pixels.x0 + static_cast<std::ptrdiff_t>(pixel % kTileSide);
-  };
-  for (std::size_t f = 0; f < fragments.count; ++f)
-    frame.color[indexOf(fragments.pixel[f])] = colors[f];
-  // Where nobody is seen the tile holds the frame's own depth.
   for (int y = pixels.y0; y < pixels.y1; ++y)
     std::copy_n(tile.depth[0] + (y - pixels.y0) * kTileSide, pixels.x1 - pixels.x0,
                 frame.depth + y * frame.rowStride + pixels.x0);
-  if (frame.coverage != nullptr)
-    for (std::size_t f = 0; f < fragments.count; ++f)
-      frame.coverage[indexOf(fragments.pixel[f])] = 1;
-  if (frame.instance != nullptr || frame.cell != nullptr)
-    for (std::size_t f = 0; f < fragments.count; ++f)
-      writeNames(clusters, fragments.owner[f], frame, indexOf(fragments.pixel[f]));
 }
 
-}  // namespace
+/// All of a run's samples show one triangle, so nothing is mixed.
+void copyRuns(const TileClusters& clusters, const VisibilityTile& tile, const TilePlace& place,
+              const FragmentList& fragments, const TileColors& colors, const FrameView& frame)
+{
+  const int samples = clusters.scene->scene->samples;
+  const auto allSamples = static_cast<std::uint8_t>((1u << samples) - 1u);
+  for (std::size_t r = 0; r < fragments.runCount; ++r) {
+    const FragmentRun& run = fragments.run[r];
+    if (run.length == 0) continue;
+    const std::ptrdiff_t index = place.indexOf(run.pixel);
+    std::copy_n(colors.pixel + run.pixel, run.length, frame.color + index);
+    for (int i = 0; samples > 1 && i < run.length; ++i) {
+      float nearest = tile.depth[0][run.pixel + i];
+      for (int s = 1; s < samples; ++s)
+        nearest = std::min(nearest, tile.depth[s][run.pixel + i]);
+      frame.depth[index + i] = nearest;
+    }
+    if (frame.coverage != nullptr) std::fill_n(frame.coverage + index, run.length, allSamples);
+    writeNames(clusters, tile.owner[0][run.pixel], frame, index, run.length);
+  }
+}
 
-void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
-                 const TileRectangle& pixels, const FragmentList& fragments,
-                 const Array<Rgba8>& colors, const FrameView& frame)
+/// Fragments of pixels with one sample.
+void copyFragments(const TileClusters& clusters, const TilePlace& place,
+                   const FragmentList& fragments, const TileColors& colors, const FrameView& frame)
+{
+  for (std::size_t f = 0; f < fragments.count; ++f) {
+    const std::ptrdiff_t index = place.indexOf(fragments.pixel[f]);
+    frame.color[index] = colors.fragment[f];
+    if (frame.coverage != nullptr) frame.coverage[index] = 1;
+    writeNames(clusters, fragments.owner[f], frame, index, 1);
+  }
+}
+
+/// Fragments of pixels with several samples.
+void mixFragments(const TileClusters& clusters, const VisibilityTile& tile, const TilePlace& place,
+                  const FragmentList& fragments, const TileColors& colors, const FrameView& frame)
 {
   const Scene& scene = *clusters.scene->scene;
-  if (scene.samples == 1) {
-    copyTile(clusters, tile, pixels, fragments, colors, frame);
-    return;
-  }
   const auto samples = static_cast<std::uint32_t>(scene.samples);
   std::size_t next = 0;
   while (next < fragments.count) {
     const std::size_t pixel = fragments.pixel[next];
-    const std::ptrdiff_t index =
-        (pixels.y0 + static_cast<std::ptrdiff_t>(pixel) / kTileSide) * frame.rowStride + pixels.x0 +
-        static_cast<std::ptrdiff_t>(pixel) % kTileSide;
-    const Rgba8 firstColor = colors[next];
+    const std::ptrdiff_t index = place.indexOf(pixel);
+    const Rgba8 firstColor = colors.fragment[next];
     ColorSum sum(scene.resolve);
     std::uint32_t covered = 0;
     std::uint8_t coverage = 0;
     const std::size_t first = next;
     for (; next < fragments.count && fragments.pixel[next] == pixel; ++next) {
       const std::uint32_t count = bitCount(fragments.coverage[next]);
-      sum.add(colors[next], count);
+      sum.add(colors.fragment[next], count);
       covered += count;
       coverage = static_cast<std::uint8_t>(coverage | fragments.coverage[next]);
     }
@@ -146,7 +175,23 @@ void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
     const Nearest nearest = nearestSample(clusters, tile, scene.samples, pixel);
     frame.depth[index] = nearest.depth;
     if (frame.coverage != nullptr) frame.coverage[index] = coverage;
-    writeNames(clusters, nearest.owner, frame, index);
+    writeNames(clusters, nearest.owner, frame, index, 1);
+  }
+}
+
+}  // namespace
+
+void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
+                 const TileRectangle& pixels, const FragmentList& fragments,
+                 const TileColors& colors, const FrameView& frame)
+{
+  const TilePlace place(pixels, frame);
+  copyRuns(clusters, tile, place, fragments, colors, frame);
+  if (clusters.scene->scene->samples == 1) {
+    copyDepth(tile, pixels, frame);
+    copyFragments(clusters, place, fragments, colors, frame);
+  } else {
+    mixFragments(clusters, tile, place, fragments, colors, frame);
   }
 }
 

@@ -4,15 +4,13 @@
 
 #include "Rendering/Shading/Fragments.h"
 
-#include <vector>
-
 namespace limn {
 
 /// Writes a tile to the frame: for each pixel that shows an instance the mean of its samples'
 /// colours, the nearest sample's depth and names, and the coverage.
-/// Requires: `fragments` from collectFragments() of the tile, `colors` theirs.
+/// Requires: `fragments` from collectFragments() of the tile, `colors` theirs by FragmentShader.
 void resolveTile(const TileClusters& clusters, const VisibilityTile& tile,
                  const TileRectangle& pixels, const FragmentList& fragments,
-                 const Array<Rgba8>& colors, const FrameView& frame);
+                 const TileColors& colors, const FrameView& frame);
 
 }  // namespace limn

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compiled once per instruction set by RasterizeTile.cpp.
+#include "Rendering/Base/MaskBits-inl.h"
 #include "Rendering/Base/Simd.h"
 #include "Rendering/Vertex/ScreenLanes-inl.h"
 
@@ -753,7 +754,7 @@ class SmallCluster {
     hn::Store(index, d, indices);
     float* tileDepth = target_.tile.depth[sample];
     std::uint32_t* tileOwner = target_.tile.owner[sample];
-    for (std::uint64_t bits = bitsOf(visible); bits != 0; bits &= bits - 1) {
+    for (std::uint64_t bits = bitsOf(df, visible); bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const std::int32_t pixel = indices[lane];
       const float fresh = depths[lane], old = tileDepth[pixel];
@@ -764,15 +765,6 @@ class SmallCluster {
       }
     }
   }
-  static HWY_INLINE std::uint64_t bitsOf(hn::Mask<hn::ScalableTag<float>> mask)
-  {
-    std::uint8_t bytes[8] = {};
-    hn::StoreMaskBits(df, mask, bytes);
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, bytes, sizeof bits);
-    return bits;
-  }
-
   /// Draws one triangle, a vector of pixels at a time.
   void drawMany(std::uint32_t triangle) const
   {

@@ -4,28 +4,12 @@
 
 #include "Rendering/Base/Array.h"
 #include "Rendering/Raster/VisibilityTile.h"
+#include "Rendering/Shading/FragmentList.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace limn {
-
-/// Triangles seen in the pixels of a tile; each is shaded once, whatever number of the pixel's
-/// samples show it.
-struct FragmentList {
-  std::size_t count = 0;
-  Array<std::uint32_t> owner;  ///< TileOwner
-  Array<std::uint32_t> pixel;  ///< row * kTileSide + column, within the tile
-  Array<std::uint8_t>
-      coverage;  ///< bit s set: sample s shows it; not filled with one sample a pixel
-
-  /// Makes room for all that `samples` samples can show, and for a vector more.
-  void reserve(int samples);
-};
-
-/// Lists the fragments of a tile, pixel by pixel. Within a pixel they follow their first sample.
-void collectFragments(const VisibilityTile& tile, const TileRectangle& pixels, int samples,
-                      FragmentList& fragments);
 
 /// Up to kCapacity fragments of one instance as arrays, ready to be shaded: which mixture of its
 /// corners a fragment is, and what the corners carry. Vectors may read up to kCapacity.
@@ -51,9 +35,11 @@ struct alignas(64) FragmentBatch {
   Vectors corner[3];      ///< local positions, high parts
   Vectors cornerLow[3];   ///< if the mesh has low parts
   // By placeFragments():
-  float weight[3][kCapacity];         ///< per corner: (12.4)
+  std::int32_t screenX[3][kCapacity], screenY[3][kCapacity];  ///< of the corners; subpixels
+  float inverseW[3][kCapacity];                               ///< likewise
+  float weight[3][kCapacity];                                 ///< per corner: (12.4)
   float side[kCapacity];              ///< 1 seen from outside, -1 from inside
-  std::int32_t needsClip[kCapacity];  ///< not 0: the two above mean nothing
+  std::int32_t needsClip[kCapacity];  ///< not 0: the five above mean nothing
   Vectors viewCorner[3];              ///< only if the mesh has low parts
   Vectors edge[2];                    ///< likewise: from corner 0 to the others, local
   // By what the instance's style and attributes are:
@@ -65,23 +51,34 @@ struct alignas(64) FragmentBatch {
   int count = 0;            ///< last, so that every array starts at a multiple of 64 bytes
 };
 
-/// Colours of the fragments of one tile, in the order of `fragments`; alpha 255.
+/// Colours of the fragments of one tile; alpha 255.
+struct TileColors {
+  Array<Rgba8> fragment;                 ///< as FragmentList lists them
+  alignas(64) Rgba8 pixel[kTilePixels];  ///< where runs lie
+};
+
 class FragmentShader {
  public:
+  /// Lists runs that it does not serve as fragments.
   void shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
-             const FragmentList& fragments, Array<Rgba8>& colors);
+             FragmentList& fragments, TileColors& colors);
 
  private:
-  /// Lists the fragments instance by instance; false if all are of one.
-  bool orderByInstance(const TileClusters& clusters, const FragmentList& fragments);
-  void shadeBatch(const TileClusters& clusters, const PlacedInstance& placed,
-                  const TileRectangle& pixels);
+  /// Calls shade(placed, numbers) for batches of one instance, with their owners in `batch_`, until
+  /// each owner has had its turn. `numbers` say which owners.
+  template <class Shade>
+  void forEachBatch(const TileClusters& clusters, Span<const std::uint32_t> owners, Shade shade);
+  /// Lists owners instance by instance in `order_`; false if all are of one.
+  bool orderByInstance(const TileClusters& clusters, Span<const std::uint32_t> owners);
+  void fillBatch(const TileClusters& clusters, const PlacedInstance& placed,
+                 const TileRectangle& pixels);
+  void placeClippedFragments(const TileClusters& clusters);
 
   FragmentBatch batch_;
   std::uint32_t clippedOwner_ = kNobody;  ///< of the tile being shaded
   ClippedTriangle clipped_;
-  std::vector<std::uint32_t> order_;  ///< numbers of fragments
-  // For orderByInstance(): by instance of the scene, by number in the tile, by fragment.
+  std::vector<std::uint32_t> order_;  ///< numbers of owners
+  // For orderByInstance(): by instance of the scene, by number in the tile, by owner.
   std::vector<std::uint32_t> numberInTile_;
   std::vector<std::uint32_t> instance_, next_, number_;
 };
@@ -106,6 +103,11 @@ void placeFragments(const InstanceTransform& transform, const TileRectangle& pix
                     FragmentBatch& batch);
 /// Fills `color` by the instance's style.
 void lightFragments(const ShadingContext& context, FragmentBatch& batch);
+/// Shades the runs of a batch of triangles, one for each of `numbers`, but for those that have to
+/// be clipped. Requires: gatherFragments() or the like, and placeFragments().
+void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
+                    const FragmentList& fragments, Span<const std::uint32_t> numbers,
+                    const FragmentBatch& batch, TileColors& colors);
 /// Clamps to [0, 1], scales to bytes, rounds to even.
 void quantizeFragments(const FragmentBatch& batch, Rgba8* colors);
 

@@ -1,346 +1,83 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The light equations of Reference/ReferenceShading.cpp, one fragment a lane, operation by
-// operation. Compiled once per instruction set by LightFragments.cpp.
+// Compiled once per instruction set by LightFragments.cpp.
 #include "Rendering/Base/Simd.h"
+#include "Rendering/Shading/LightEquations-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::HWY_NAMESPACE {
 
-namespace hn = hwy::HWY_NAMESPACE;
-
-using D = hn::ScalableTag<float>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-
-struct Lanes3 {
-  V x, y, z;
-};
-
-HWY_INLINE V set(float value)
-{
-  return hn::Set(D(), value);
-}
-HWY_INLINE Lanes3 set(Vec3f v)
-{
-  return {set(v.x), set(v.y), set(v.z)};
-}
-HWY_INLINE Lanes3 load(const FragmentBatch::Vectors& v, std::size_t i)
-{
-  return {hn::Load(D(), v.x + i), hn::Load(D(), v.y + i), hn::Load(D(), v.z + i)};
-}
-HWY_INLINE void store(Lanes3 v, FragmentBatch::Vectors& to, std::size_t i)
-{
-  hn::Store(v.x, D(), to.x + i);
-  hn::Store(v.y, D(), to.y + i);
-  hn::Store(v.z, D(), to.z + i);
-}
-
-HWY_INLINE Lanes3 add(Lanes3 a, Lanes3 b)
-{
-  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-HWY_INLINE Lanes3 sub(Lanes3 a, Lanes3 b)
-{
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-HWY_INLINE Lanes3 mul(Lanes3 a, Lanes3 b)
-{
-  return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
-}
-HWY_INLINE Lanes3 mul(Lanes3 a, V s)
-{
-  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
-}
-HWY_INLINE Lanes3 neg(Lanes3 a)
-{
-  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
-}
-HWY_INLINE Lanes3 choose(M mask, Lanes3 yes, Lanes3 no)
-{
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
-          hn::IfThenElse(mask, yes.z, no.z)};
-}
-HWY_INLINE V dot(Lanes3 a, Lanes3 b)
-{
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE Lanes3 cross(Lanes3 a, Lanes3 b)
-{
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
-          hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
-HWY_INLINE M isPositive(V x)
-{
-  return hn::Gt(x, hn::Zero(D()));
-}
-HWY_INLINE V positive(V x)
-{
-  return hn::IfThenElseZero(isPositive(x), x);
-}
-HWY_INLINE V reciprocalIfPositive(V x, V denominator)
-{
-  return hn::IfThenElseZero(isPositive(x), hn::Div(set(1.0f), denominator));
-}
-HWY_INLINE Lanes3 normalized(Lanes3 a)
-{
-  const V squared = dot(a, a);
-  return mul(a, reciprocalIfPositive(squared, hn::Sqrt(squared)));
-}
-
-HWY_INLINE V log2Normal(V x)
-{
-  using namespace power_detail;
-  const hn::RebindToSigned<D> di;
-  const auto bits = hn::BitCast(di, x);
-  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, kSqrtHalfBits)));
-  const V mantissa = hn::BitCast(D(), hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
-  const V f = hn::Sub(mantissa, set(1.0f));
-  const V s = hn::Div(f, hn::Add(f, set(2.0f)));
-  const V s2 = hn::Mul(s, s);
-  V series = set(kLog2Series[4]);
-  for (int k = 3; k >= 0; --k)
-    series = hn::Add(set(kLog2Series[k]), hn::Mul(s2, series));
-  return hn::Add(hn::ConvertTo(D(), exponent), hn::Mul(s, series));
-}
-
-HWY_INLINE V exp2Clamped(V y)
-{
-  using namespace power_detail;
-  const hn::RebindToSigned<D> di;
-  const M inRange = hn::Ge(y, set(-126.0f));
-  const V bounded =
-      hn::IfThenElse(hn::Lt(y, set(127.0f)), hn::IfThenElseZero(inRange, y), set(127.0f));
-  const auto whole = hn::NearestInt(bounded);
-  const V f = hn::Sub(bounded, hn::ConvertTo(D(), whole));
-  V series = set(kExp2Series[6]);
-  for (int k = 5; k >= 0; --k)
-    series = hn::Add(set(kExp2Series[k]), hn::Mul(f, series));
-  const V scale = hn::BitCast(D(), hn::ShiftLeft<23>(hn::Add(whole, hn::Set(di, 127))));
-  const V result = hn::Mul(hn::Add(set(1.0f), hn::Mul(f, series)), scale);
-  return hn::IfThenElseZero(inRange, result);
-}
-
-/// power() of Base/Power.h.
-HWY_INLINE V powerOf(V x, float p)
-{
-  if (p == 0.0f) return set(1.0f);
-  const M normal = hn::Ge(x, set(power_detail::kSmallestNormal));
-  const V safe = hn::IfThenElse(normal, x, set(1.0f));
-  return hn::IfThenElseZero(normal, exp2Clamped(hn::Mul(set(p), log2Normal(safe))));
-}
-
-struct Surface {
-  Lanes3 position, normal;
-  Lanes3 ambient, diffuse, specular;
-  float power;
-};
-
-struct Arrival {
-  Lanes3 toward;
-  V fall;
-};
-
-HWY_INLINE Arrival arrive(const ViewLight& light, Lanes3 position)
-{
-  if (!light.positional()) return {set(light.towardLight), set(1.0f)};
-  const Lanes3 way = sub(set(light.position), position);
-  const V squared = dot(way, way);
-  const V distance = hn::Sqrt(squared);
-  const Lanes3 toward = mul(way, reciprocalIfPositive(distance, distance));
-  const V denominator =
-      hn::Add(hn::Add(set(light.attenuation.x), hn::Mul(set(light.attenuation.y), distance)),
-              hn::Mul(set(light.attenuation.z), squared));
-  V fall = reciprocalIfPositive(denominator, denominator);
-  if (light.kind == LightKind::kSpot) {
-    const V cosine = dot(toward, set(light.towardLight));
-    fall = hn::IfThenElseZero(hn::Ge(cosine, set(light.coneCosine)),
-                              hn::Mul(fall, powerOf(cosine, light.exponent)));
-  }
-  return {toward, fall};
-}
-
-HWY_INLINE V blinnPhong(Lanes3 l, Lanes3 v, const Surface& s)
-{
-  return powerOf(positive(dot(s.normal, normalized(add(l, v)))), s.power);
-}
-HWY_INLINE V reflectedRay(Lanes3 l, Lanes3 v, const Surface& s)
-{
-  const V twice = hn::Mul(set(2.0f), dot(s.normal, l));
-  const Lanes3 r = sub(mul(s.normal, twice), l);
-  return powerOf(positive(dot(r, v)), s.power);
-}
-
-/// All the context of a batch that does not change from lane to lane.
-class Lighting {
+/// What the fragments of a batch carry, a fragment a lane.
+class BatchLanes {
  public:
-  explicit Lighting(const ShadingContext& context)
-      : camera_(context.scene->scene->camera),
-        lights_(context.scene->lights),
-        ambientLight_(context.scene->scene->ambientLight),
-        style_(context.placed->instance->style)
-  {
-  }
-
-  HWY_INLINE Lanes3 towardEye(Lanes3 position) const
-  {
-    return camera_.parallel ? set(Vec3f{0, 0, 1}) : normalized(neg(position));
-  }
-
-  Lanes3 light(const Surface& s) const
-  {
-    if (style_.tone != Tone::kNone) return toned(s);
-    if (style_.reflection == Reflection::kNone) return add(s.ambient, s.diffuse);
-    if (style_.reflection != Reflection::kAsVtk) return chapter(s);
-    if (lights_.size() == 1 && lights_[0].kind == LightKind::kHeadlight) return loneHeadlight(s);
-    return asVtk(s);
-  }
+  explicit BatchLanes(std::size_t first) : first_(first) {}
+  HWY_INLINE V value(const float* v) const { return hn::Load(D(), v + first_); }
 
  private:
-  Lanes3 loneHeadlight(const Surface& s) const
-  {
-    const V df = positive(s.normal.z);
-    const Lanes3 color = set(lights_[0].color);
-    return add(add(s.ambient, mul(s.diffuse, mul(color, df))),
-               mul(s.specular, mul(color, powerOf(df, s.power))));
-  }
-
-  /// What all lights send towards the eye, by way of matt and of glossy reflection.
-  struct Reflected {
-    Lanes3 diffuse, specular;
-  };
-  template <class Highlight>
-  HWY_INLINE Reflected sum(const Surface& s, Highlight highlight) const
-  {
-    Reflected sums = {set(Vec3f{0, 0, 0}), set(Vec3f{0, 0, 0})};
-    for (const ViewLight& light : lights_) {
-      const Arrival at = arrive(light, s.position);
-      const V nl = dot(s.normal, at.toward);
-      const M lit = isPositive(nl);
-      const Lanes3 color = set(light.color);
-      sums.diffuse = choose(lit, add(sums.diffuse, mul(color, hn::Mul(at.fall, nl))), sums.diffuse);
-      sums.specular =
-          choose(lit, add(sums.specular, mul(color, hn::Mul(at.fall, highlight(at.toward)))),
-                 sums.specular);
-    }
-    return sums;
-  }
-
-  Lanes3 asVtk(const Surface& s) const
-  {
-    const Lanes3 v = normalized(neg(s.position));
-    const Reflected sums = sum(s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); });
-    return add(add(s.ambient, mul(sums.diffuse, s.diffuse)), mul(sums.specular, s.specular));
-  }
-
-  Reflected chapterSums(const Surface& s) const
-  {
-    const Lanes3 v = towardEye(s.position);
-    switch (style_.reflection) {
-      case Reflection::kBlinnPhong:
-        return sum(s, [&](Lanes3 l) HWY_ATTR { return blinnPhong(l, v, s); });
-      case Reflection::kPhong:
-        return sum(s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); });
-      default:
-        // Not the sum's own zeros: an infinite light times 0 is not a number.
-        return {sum(s, [&](Lanes3) HWY_ATTR { return set(0.0f); }).diffuse, set(Vec3f{0, 0, 0})};
-    }
-  }
-  Lanes3 chapter(const Surface& s) const
-  {
-    const Reflected sums = chapterSums(s);
-    return add(add(mul(s.ambient, set(ambientLight_)), mul(sums.diffuse, s.diffuse)),
-               mul(sums.specular, s.specular));
-  }
-
-  Lanes3 toned(const Surface& s) const
-  {
-    const Lanes3 l = lights_.empty() ? set(Vec3f{0, 0, 1}) : arrive(lights_[0], s.position).toward;
-    const V nl = dot(l, s.normal);
-    const V facing = hn::Mul(hn::Add(set(1.0f), nl), set(0.5f));
-    const V averted = hn::Mul(hn::Sub(set(1.0f), nl), set(0.5f));
-    const Lanes3 cool = add(set(style_.toneCool), mul(s.diffuse, set(style_.coolSurface)));
-    const Lanes3 warm = add(set(style_.toneWarm), mul(s.diffuse, set(style_.warmSurface)));
-    const Lanes3 tone = style_.tone == Tone::kGoochChapter
-                            ? add(mul(cool, facing), mul(warm, averted))
-                            : add(mul(warm, facing), mul(cool, averted));
-    const Lanes3 v = towardEye(s.position);
-    return add(tone, mul(s.specular, hn::IfThenElseZero(isPositive(nl), blinnPhong(l, v, s))));
-  }
-
-  const Camera& camera_;
-  const std::vector<ViewLight>& lights_;
-  Vec3f ambientLight_;
-  const Style& style_;
+  std::size_t first_;
 };
 
-/// The fragments of a batch from lane i on.
+/// What one triangle of a batch carries, in all lanes.
+class TriangleLanes {
+ public:
+  explicit TriangleLanes(std::size_t triangle) : triangle_(triangle) {}
+  HWY_INLINE V value(const float* v) const { return set(v[triangle_]); }
+
+ private:
+  std::size_t triangle_;
+};
+
+/// A vector of fragments. `Lanes` says what of the batch is theirs.
+template <class Lanes>
 class FragmentLanes {
  public:
-  FragmentLanes(const ShadingContext& context, const FragmentBatch& batch, std::size_t i)
+  FragmentLanes(const ShadingContext& context, const FragmentBatch& batch, Lanes lanes)
       : instance_(*context.placed->instance),
         transform_(context.placed->transform),
         batch_(batch),
-        i_(i),
-        side_(hn::Load(D(), batch.side + i))
+        lanes_(lanes),
+        side_(lanes.value(batch.side)),
+        planeNormal_(set(Vec3f{0, 0, 0}))
   {
-    for (int k = 0; k < 3; ++k)
-      weight_[k] = batch.weight[k] + i;
+    const Style& style = instance_.style;
+    if (style.frequency != ShadingFrequency::kFlat && style.normals != NormalSource::kVertex)
+      planeNormal_ = facing(style.normals == NormalSource::kCell ? normal(0) : acrossEdges());
+  }
+
+  /// Of the corners, by fragment.
+  void setWeights(const float* w0, const float* w1, const float* w2)
+  {
+    weight_[0] = w0;
+    weight_[1] = w1;
+    weight_[2] = w2;
   }
 
   HWY_INLINE Lanes3 mix(Lanes3 a, Lanes3 b, Lanes3 c) const
   {
     return add(add(mul(a, weight(0)), mul(b, weight(1))), mul(c, weight(2)));
   }
-  HWY_INLINE Lanes3 corner(int k) const { return load(batch_.corner[k], i_); }
-  HWY_INLINE Lanes3 viewPosition(Lanes3 p) const
-  {
-    const auto row = [&](int r) HWY_ATTR {
-      const float* m = transform_.toViewFloat.m[r];
-      return hn::Add(hn::Add(hn::Mul(set(m[0]), p.x), hn::Mul(set(m[1]), p.y)),
-                     hn::Add(hn::Mul(set(m[2]), p.z), set(m[3])));
-    };
-    return {row(0), row(1), row(2)};
-  }
-  HWY_INLINE Lanes3 facing(Lanes3 normal) const
-  {
-    const auto row = [&](int r) HWY_ATTR {
-      const float* m = transform_.normalToView.m[r];
-      return hn::Add(hn::Add(hn::Mul(set(m[0]), normal.x), hn::Mul(set(m[1]), normal.y)),
-                     hn::Mul(set(m[2]), normal.z));
-    };
-    return mul(normalized({row(0), row(1), row(2)}), side_);
-  }
   Lanes3 cornerPosition(int k) const
   {
-    return transform_.hasLowParts ? load(batch_.viewCorner[k], i_) : viewPosition(corner(k));
+    return transform_.hasLowParts ? value(batch_.viewCorner[k]) : viewPosition(corner(k));
   }
   Lanes3 pixelPosition() const
   {
     return transform_.hasLowParts ? mix(cornerPosition(0), cornerPosition(1), cornerPosition(2))
                                   : viewPosition(mix(corner(0), corner(1), corner(2)));
   }
-  Lanes3 pixelNormal() const
+  HWY_INLINE Lanes3 pixelNormal() const
   {
-    switch (instance_.style.normals) {
-      case NormalSource::kVertex:
-        return facing(mix(normal(0), normal(1), normal(2)));
-      case NormalSource::kCell:
-        return facing(normal(0));
-      default:
-        if (transform_.hasLowParts)
-          return facing(cross(load(batch_.edge[0], i_), load(batch_.edge[1], i_)));
-        return facing(cross(sub(corner(1), corner(0)), sub(corner(2), corner(0))));
-    }
+    return instance_.style.normals == NormalSource::kVertex
+               ? facing(mix(normal(0), normal(1), normal(2)))
+               : planeNormal_;
   }
   Lanes3 cornerNormal(int k) const
   {
-    return instance_.style.normals == NormalSource::kVertex ? facing(normal(k)) : pixelNormal();
+    return instance_.style.normals == NormalSource::kVertex ? facing(normal(k)) : planeNormal_;
   }
-  Lanes3 facePosition() const { return load(batch_.facePosition, i_); }
-  Lanes3 faceNormal() const { return facing(load(batch_.faceNormal, i_)); }
+  Lanes3 facePosition() const { return value(batch_.facePosition); }
+  Lanes3 faceNormal() const { return facing(value(batch_.faceNormal)); }
 
   Lanes3 pixelColor() const
   {
@@ -348,6 +85,7 @@ class FragmentLanes {
   }
   Lanes3 cornerColor(int k) const { return color(vertexColored() ? k : 0); }
   bool colored() const { return vertexColored() || !instance_.attributes.cellColors.empty(); }
+  bool vertexColored() const { return !instance_.attributes.vertexColors.empty(); }
 
   Surface surface(Lanes3 position, Lanes3 normal, const Lanes3* data) const
   {
@@ -367,83 +105,268 @@ class FragmentLanes {
   }
 
  private:
-  V weight(int k) const { return hn::Load(D(), weight_[k]); }
-  bool vertexColored() const { return !instance_.attributes.vertexColors.empty(); }
-  Lanes3 normal(int k) const { return load(batch_.cornerNormal[k], i_); }
-  Lanes3 color(int k) const { return load(batch_.cornerColor[k], i_); }
+  HWY_INLINE Lanes3 value(const FragmentBatch::Vectors& v) const
+  {
+    return {lanes_.value(v.x), lanes_.value(v.y), lanes_.value(v.z)};
+  }
+  HWY_INLINE V weight(int k) const { return hn::Load(D(), weight_[k]); }
+  HWY_INLINE Lanes3 corner(int k) const { return value(batch_.corner[k]); }
+  HWY_INLINE Lanes3 normal(int k) const { return value(batch_.cornerNormal[k]); }
+  HWY_INLINE Lanes3 color(int k) const { return value(batch_.cornerColor[k]); }
+  Lanes3 acrossEdges() const
+  {
+    return transform_.hasLowParts ? cross(value(batch_.edge[0]), value(batch_.edge[1]))
+                                  : cross(sub(corner(1), corner(0)), sub(corner(2), corner(0)));
+  }
+
+  HWY_INLINE Lanes3 viewPosition(Lanes3 p) const
+  {
+    const auto row = [&](int r) HWY_ATTR {
+      const float* m = transform_.toViewFloat.m[r];
+      return hn::Add(hn::Add(hn::Mul(set(m[0]), p.x), hn::Mul(set(m[1]), p.y)),
+                     hn::Add(hn::Mul(set(m[2]), p.z), set(m[3])));
+    };
+    return {row(0), row(1), row(2)};
+  }
+  HWY_INLINE Lanes3 facing(Lanes3 normal) const
+  {
+    const auto row = [&](int r) HWY_ATTR {
+      const float* m = transform_.normalToView.m[r];
+      return hn::Add(hn::Add(hn::Mul(set(m[0]), normal.x), hn::Mul(set(m[1]), normal.y)),
+                     hn::Mul(set(m[2]), normal.z));
+    };
+    return mul(normalized({row(0), row(1), row(2)}), side_);
+  }
 
   const Instance& instance_;
   const InstanceTransform& transform_;
   const FragmentBatch& batch_;
-  std::size_t i_;
+  Lanes lanes_;
   V side_;
-  const float* weight_[3];
+  Lanes3 planeNormal_;  ///< not for vertex normals nor flat frequency
+  const float* weight_[3] = {};
 };
 
-Lanes3 shadeLanes(const Lighting& lighting, const FragmentLanes& lanes, ShadingFrequency frequency)
-{
-  const auto light = [&](Lanes3 position, Lanes3 normal, Lanes3 color) HWY_ATTR {
-    return lighting.light(lanes.surface(position, normal, lanes.colored() ? &color : nullptr));
-  };
-  const Lanes3 none = set(Vec3f{0, 0, 0});
-  if (frequency == ShadingFrequency::kGouraud) {
-    const auto atCorner = [&](int k) HWY_ATTR {
-      return light(lanes.cornerPosition(k), lanes.cornerNormal(k),
-                   lanes.colored() ? lanes.cornerColor(k) : none);
-    };
-    return lanes.mix(atCorner(0), atCorner(1), atCorner(2));
+/// The light equation over fragments of one instance.
+template <class Lanes>
+class Shader {
+ public:
+  Shader(const ShadingContext& context, const FragmentBatch& batch, Lanes lanes)
+      : lighting_(context), style_(context.placed->instance->style), lanes_(context, batch, lanes)
+  {
   }
-  const Lanes3 color = lanes.colored() ? lanes.pixelColor() : none;
-  return frequency == ShadingFrequency::kFlat
-             ? light(lanes.facePosition(), lanes.faceNormal(), color)
-             : light(lanes.pixelPosition(), lanes.pixelNormal(), color);
-}
 
-/// Pixels with |n.v| below the threshold, figure 12.15.
-M onOutline(const Lighting& lighting, const FragmentLanes& lanes, const Style& style)
-{
-  const Lanes3 n =
-      style.frequency == ShadingFrequency::kFlat ? lanes.faceNormal() : lanes.pixelNormal();
-  const Lanes3 v = lighting.towardEye(lanes.pixelPosition());
-  return hn::Lt(hn::Abs(dot(n, v)), set(style.outlineThreshold));
-}
+  /// Once per object, as all of its fragments have the same corners.
+  void lightCorners()
+  {
+    for (int k = 0; k < 3; ++k)
+      lit_[k] = light(lanes_.cornerPosition(k), lanes_.cornerNormal(k),
+                      lanes_.colored() ? lanes_.cornerColor(k) : none());
+  }
+  bool needsCorners() const { return style_.frequency == ShadingFrequency::kGouraud; }
+  /// Whether all fragments with the same corners have the same colour.
+  bool isConstant() const
+  {
+    return style_.frequency == ShadingFrequency::kFlat && !lanes_.vertexColored() &&
+           !(style_.outlineThreshold > 0.0f);
+  }
+
+  /// Requires: lightCorners() if needsCorners().
+  HWY_INLINE Lanes3 colorAt(const float* w0, const float* w1, const float* w2)
+  {
+    lanes_.setWeights(w0, w1, w2);
+    const Lanes3 color = shade();
+    return style_.outlineThreshold > 0.0f ? choose(onOutline(), set(style_.outlineColor), color)
+                                          : color;
+  }
+
+ private:
+  static HWY_INLINE Lanes3 none() { return set(Vec3f{0, 0, 0}); }
+  HWY_INLINE Lanes3 light(Lanes3 position, Lanes3 normal, Lanes3 color) const
+  {
+    return lighting_.light(lanes_.surface(position, normal, lanes_.colored() ? &color : nullptr));
+  }
+  HWY_INLINE Lanes3 shade() const
+  {
+    if (style_.frequency == ShadingFrequency::kGouraud)
+      return lanes_.mix(lit_[0], lit_[1], lit_[2]);
+    const Lanes3 color = lanes_.colored() ? lanes_.pixelColor() : none();
+    if (style_.frequency == ShadingFrequency::kFlat)
+      return light(lanes_.facePosition(), lanes_.faceNormal(), color);
+    return light(lighting_.readsPosition() ? lanes_.pixelPosition() : none(), lanes_.pixelNormal(),
+                 color);
+  }
+  /// Pixels with |n.v| below the threshold, figure 12.15.
+  M onOutline() const
+  {
+    const Lanes3 n =
+        style_.frequency == ShadingFrequency::kFlat ? lanes_.faceNormal() : lanes_.pixelNormal();
+    const Lanes3 v = lighting_.towardEye(lanes_.pixelPosition());
+    return hn::Lt(hn::Abs(dot(n, v)), set(style_.outlineThreshold));
+  }
+
+  Lighting lighting_;
+  const Style& style_;
+  FragmentLanes<Lanes> lanes_;
+  Lanes3 lit_[3];
+};
 
 void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
 {
-  const Lighting lighting(context);
-  const Style& style = context.placed->instance->style;
   const auto count = static_cast<std::size_t>(batch.count);
   for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
-    const FragmentLanes lanes(context, batch, i);
-    Lanes3 color = shadeLanes(lighting, lanes, style.frequency);
-    if (style.outlineThreshold > 0.0f)
-      color = choose(onOutline(lighting, lanes, style), set(style.outlineColor), color);
-    store(color, batch.color, i);
+    Shader<BatchLanes> shader(context, batch, BatchLanes(i));
+    if (shader.needsCorners()) shader.lightCorners();
+    store(shader.colorAt(batch.weight[0] + i, batch.weight[1] + i, batch.weight[2] + i),
+          batch.color, i);
   }
+}
+
+/// Words that are an Rgba8 each; the lowest byte comes first.
+HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> quantized(Lanes3 color)
+{
+  const hn::RebindToUnsigned<D> du;
+  const auto toByte = [&](V value) HWY_ATTR {
+    const V bounded = hn::IfThenElse(hn::Lt(value, set(1.0f)), positive(value), set(1.0f));
+    // A value that is not a number fails both comparisons; the scalar code makes it 0.
+    const V proper = hn::IfThenElseZero(isPositive(value), bounded);
+    return hn::BitCast(du, hn::NearestInt(hn::Mul(proper, set(255.0f))));
+  };
+  const auto rg = hn::Or(toByte(color.x), hn::ShiftLeft<8>(toByte(color.y)));
+  return hn::Or(rg, hn::Or(hn::ShiftLeft<16>(toByte(color.z)), hn::Set(du, 0xFF000000u)));
 }
 
 void quantizeFragmentsKernel(const FragmentBatch& batch, Rgba8* colors)
 {
-  const D d;
-  const hn::RebindToSigned<D> di;
-  const auto toByte = [&](const float* x, std::size_t i) HWY_ATTR {
-    const V value = hn::Load(d, x + i);
-    const V bounded = hn::IfThenElse(hn::Lt(value, set(1.0f)), positive(value), set(1.0f));
-    // A value that is not a number fails both comparisons; the scalar code makes it 0.
-    const V proper = hn::IfThenElseZero(isPositive(value), bounded);
-    return hn::NearestInt(hn::Mul(proper, set(255.0f)));
-  };
+  const hn::RebindToUnsigned<D> du;
   const auto count = static_cast<std::size_t>(batch.count);
-  alignas(64) std::int32_t r[FragmentBatch::kCapacity], g[FragmentBatch::kCapacity],
-      b[FragmentBatch::kCapacity];
-  for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    hn::Store(toByte(batch.color.x, i), di, r + i);
-    hn::Store(toByte(batch.color.y, i), di, g + i);
-    hn::Store(toByte(batch.color.z, i), di, b + i);
+  alignas(64) std::uint32_t words[FragmentBatch::kCapacity];
+  for (std::size_t i = 0; i < count; i += hn::Lanes(du))
+    hn::Store(quantized(load(batch.color, i)), du, words + i);
+  std::memcpy(colors, words, count * sizeof *colors);
+}
+
+/// Fragments of one triangle, shaded together.
+struct TriangleFragments {
+  static constexpr std::size_t kCapacity = 256;
+  static constexpr std::size_t kRoom = kCapacity + HWY_MAX_BYTES / sizeof(float);
+
+  std::size_t count;
+  alignas(64) std::int32_t pixel[kRoom];
+  alignas(64) float weight[3][kRoom];
+  alignas(64) std::uint32_t color[kRoom];
+
+  /// Takes runs until full; returns the first that has no room, or FragmentRun::kNone.
+  std::uint16_t take(const FragmentList& fragments, std::uint16_t run)
+  {
+    const hn::ScalableTag<std::int32_t> d;
+    count = 0;
+    for (; run != FragmentRun::kNone; run = fragments.run[run].next) {
+      const std::size_t length = fragments.run[run].length;
+      if (count + length > kCapacity) break;
+      for (std::size_t i = 0; i < length; i += hn::Lanes(d))
+        hn::StoreU(hn::Iota(d, static_cast<std::int32_t>(fragments.run[run].pixel + i)), d,
+                   pixel + count + i);
+      count += length;
+    }
+    // Up to a whole vector.
+    hn::StoreU(hn::Set(d, pixel[0]), d, pixel + count);
+    return run;
   }
-  for (std::size_t i = 0; i < count; ++i)
-    colors[i] = {static_cast<std::uint8_t>(r[i]), static_cast<std::uint8_t>(g[i]),
-                 static_cast<std::uint8_t>(b[i]), 255};
+  /// Gives the runs from `run` to before `end` their colours.
+  void give(const FragmentList& fragments, std::uint16_t run, std::uint16_t end,
+            Rgba8* pixels) const
+  {
+    const std::uint32_t* from = color;
+    for (; run != end; run = fragments.run[run].next) {
+      std::memcpy(pixels + fragments.run[run].pixel, from,
+                  fragments.run[run].length * sizeof *from);
+      from += fragments.run[run].length;
+    }
+  }
+};
+
+/// The weights of a triangle's corners as weigh() has them, at pixel centres of a tile.
+class TriangleWeights {
+ public:
+  TriangleWeights(const FragmentBatch& batch, std::size_t triangle, const TileRectangle& pixels)
+  {
+    std::int64_t x[3], y[3];
+    for (int k = 0; k < 3; ++k) {
+      x[k] = batch.screenX[k][triangle];
+      y[k] = batch.screenY[k][triangle];
+      inverseW_[k] = batch.inverseW[k][triangle];
+    }
+    const auto edge = [&](int a, int b, std::int64_t px, std::int64_t py) {
+      return (x[b] - x[a]) * (py - y[a]) - (y[b] - y[a]) * (px - x[a]);
+    };
+    const std::int64_t sign = edge(0, 1, x[2], y[2]) < 0 ? -1 : 1;
+    const std::int64_t px = std::int64_t{pixels.x0} * kSubpixels + kPixelCentre.x;
+    const std::int64_t py = std::int64_t{pixels.y0} * kSubpixels + kPixelCentre.y;
+    for (int k = 0; k < 3; ++k) {
+      const int a = (k + 1) % 3, b = (k + 2) % 3;
+      first_[k] = static_cast<double>(sign * edge(a, b, px, py));
+      perColumn_[k] = static_cast<double>(sign * (y[a] - y[b]) * kSubpixels);
+      perRow_[k] = static_cast<double>(sign * (x[b] - x[a]) * kSubpixels);
+    }
+  }
+
+  /// Edge values stay below 2^50, so every step in double is exact.
+  void weigh(TriangleFragments& fragments) const
+  {
+    const hn::ScalableTag<double> d;
+    const hn::Rebind<float, decltype(d)> df;
+    const hn::Rebind<std::int32_t, decltype(d)> di;
+    static_assert(kTileSide == 1 << 6, "a row of a tile is a shift");
+    for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(d)) {
+      const auto pixel = hn::Load(di, fragments.pixel + i);
+      const auto column = hn::PromoteTo(d, hn::And(pixel, hn::Set(di, kTileSide - 1)));
+      const auto row = hn::PromoteTo(d, hn::ShiftRight<6>(pixel));
+      const auto share = [&](int k) HWY_ATTR {
+        const auto edge =
+            hn::Add(hn::Set(d, first_[k]), hn::Add(hn::Mul(column, hn::Set(d, perColumn_[k])),
+                                                   hn::Mul(row, hn::Set(d, perRow_[k]))));
+        return hn::Mul(hn::DemoteTo(df, edge), hn::Set(df, inverseW_[k]));
+      };
+      const auto s0 = share(0), s1 = share(1), s2 = share(2);
+      const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
+      hn::Store(hn::Mul(s0, inverse), df, fragments.weight[0] + i);
+      hn::Store(hn::Mul(s1, inverse), df, fragments.weight[1] + i);
+      hn::Store(hn::Mul(s2, inverse), df, fragments.weight[2] + i);
+    }
+  }
+
+ private:
+  double first_[3], perColumn_[3], perRow_[3];
+  float inverseW_[3];
+};
+
+void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pixels,
+                          const FragmentList& list, Span<const std::uint32_t> numbers,
+                          const FragmentBatch& batch, TileColors& colors)
+{
+  const hn::RebindToUnsigned<D> du;
+  TriangleFragments fragments;
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    if (batch.needsClip[t] != 0) continue;
+    const TriangleWeights weights(batch, t, pixels);
+    Shader<TriangleLanes> shader(context, batch, TriangleLanes(t));
+    if (shader.needsCorners()) shader.lightCorners();
+    std::uint16_t run = list.firstRun[numbers[t]];
+    while (run != FragmentRun::kNone) {
+      const std::uint16_t first = run;
+      run = fragments.take(list, run);
+      weights.weigh(fragments);
+      const auto colorAt = [&](std::size_t i) HWY_ATTR {
+        return quantized(shader.colorAt(fragments.weight[0] + i, fragments.weight[1] + i,
+                                        fragments.weight[2] + i));
+      };
+      const auto constant = shader.isConstant() ? colorAt(0) : hn::Zero(du);
+      for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(du))
+        hn::Store(shader.isConstant() ? constant : colorAt(i), du, fragments.color + i);
+      fragments.give(list, first, run, colors.pixel);
+    }
+  }
 }
 
 }  // namespace limn::HWY_NAMESPACE

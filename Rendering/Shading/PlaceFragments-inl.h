@@ -157,13 +157,7 @@ void gatherFragmentsKernel(const TileClusters& clusters, const PlacedInstance& p
     gatherer.gather(i);
 }
 
-/// Corners on the screen, one array element a fragment.
-struct alignas(64) ScreenCorners {
-  std::int32_t x[3][FragmentBatch::kCapacity], y[3][FragmentBatch::kCapacity];
-  float inverseW[3][FragmentBatch::kCapacity];
-};
-
-void placeInFloat(const InstanceTransform& transform, FragmentBatch& batch, ScreenCorners& screen)
+void placeInFloat(const InstanceTransform& transform, FragmentBatch& batch)
 {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
@@ -175,16 +169,16 @@ void placeInFloat(const InstanceTransform& transform, FragmentBatch& batch, Scre
       const auto lanes = screenLanes(d, transform,
                                      clipLanes(d, transform.toClipFloat, hn::Load(d, p.x + i),
                                                hn::Load(d, p.y + i), hn::Load(d, p.z + i)));
-      hn::Store(hn::NearestInt(lanes.x), di, screen.x[k] + i);
-      hn::Store(hn::NearestInt(lanes.y), di, screen.y[k] + i);
-      hn::Store(lanes.inverseW, d, screen.inverseW[k] + i);
+      hn::Store(hn::NearestInt(lanes.x), di, batch.screenX[k] + i);
+      hn::Store(hn::NearestInt(lanes.y), di, batch.screenY[k] + i);
+      hn::Store(lanes.inverseW, d, batch.inverseW[k] + i);
       clip = hn::Or(clip, hn::BitCast(di, hn::VecFromMask(d, lanes.needsClip)));
     }
     hn::Store(clip, di, batch.needsClip + i);
   }
 }
 
-void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch, ScreenCorners& screen)
+void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch)
 {
   const hn::ScalableTag<double> d;
   const hn::Rebind<float, decltype(d)> df;
@@ -203,9 +197,9 @@ void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch, Scr
       const FragmentBatch::Vectors &h = batch.corner[k], &l = batch.cornerLow[k];
       const V x = sum(h.x + i, l.x + i), y = sum(h.y + i, l.y + i), z = sum(h.z + i, l.z + i);
       const auto lanes = screenLanes(d, transform, clipLanes(d, transform.toClip, x, y, z));
-      hn::Store(hn::DemoteTo(di, hn::Round(lanes.x)), di, screen.x[k] + i);
-      hn::Store(hn::DemoteTo(di, hn::Round(lanes.y)), di, screen.y[k] + i);
-      hn::Store(hn::DemoteTo(df, lanes.inverseW), df, screen.inverseW[k] + i);
+      hn::Store(hn::DemoteTo(di, hn::Round(lanes.x)), di, batch.screenX[k] + i);
+      hn::Store(hn::DemoteTo(di, hn::Round(lanes.y)), di, batch.screenY[k] + i);
+      hn::Store(hn::DemoteTo(df, lanes.inverseW), df, batch.inverseW[k] + i);
       clip = hn::Or(clip, hn::IfThenElseZero(lanes.needsClip, hn::Set(d, -1.0)));
       if (!hasLow) continue;
       const auto view = clipLanes(d, transform.toView, x, y, z);
@@ -227,7 +221,7 @@ void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch, Scr
 }
 
 /// Edge values in double: below 2^50, so every step but the last, to float, is exact.
-void weigh(bool mirrored, const ScreenCorners& screen, FragmentBatch& batch)
+void weigh(bool mirrored, FragmentBatch& batch)
 {
   const hn::ScalableTag<double> d;
   const hn::Rebind<float, decltype(d)> df;
@@ -238,8 +232,10 @@ void weigh(bool mirrored, const ScreenCorners& screen, FragmentBatch& batch)
   const auto outside = hn::Set(df, mirrored ? -1.0f : 1.0f);
   const auto count = static_cast<std::size_t>(batch.count);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
-    const V x[3] = {load(screen.x[0] + i), load(screen.x[1] + i), load(screen.x[2] + i)};
-    const V y[3] = {load(screen.y[0] + i), load(screen.y[1] + i), load(screen.y[2] + i)};
+    const V x[3] = {load(batch.screenX[0] + i), load(batch.screenX[1] + i),
+                    load(batch.screenX[2] + i)};
+    const V y[3] = {load(batch.screenY[0] + i), load(batch.screenY[1] + i),
+                    load(batch.screenY[2] + i)};
     const V px = load(batch.pointX + i), py = load(batch.pointY + i);
     // Twice the area of corners a, b and a point, with a sign; `turned` swaps what is subtracted,
     // so that zero stays +0.
@@ -252,7 +248,7 @@ void weigh(bool mirrored, const ScreenCorners& screen, FragmentBatch& batch)
     const auto clockwise = hn::Lt(edge(0, 1, x[2], y[2], never), hn::Zero(d));
     const auto share = [&](int k) HWY_ATTR {
       return hn::Mul(hn::DemoteTo(df, edge((k + 1) % 3, (k + 2) % 3, px, py, clockwise)),
-                     hn::Load(df, screen.inverseW[k] + i));
+                     hn::Load(df, batch.inverseW[k] + i));
     };
     const auto s0 = share(0), s1 = share(1), s2 = share(2);
     const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
@@ -263,27 +259,6 @@ void weigh(bool mirrored, const ScreenCorners& screen, FragmentBatch& batch)
     hn::Store(hn::IfThenElse(hn::Gt(turned, hn::Zero(df)), hn::Neg(outside), outside), df,
               batch.side + i);
   }
-}
-
-void collectVisibleKernel(const VisibilityTile& tile, const TileRectangle& pixels,
-                          FragmentList& fragments)
-{
-  const hn::ScalableTag<std::uint32_t> d;
-  const auto nobody = hn::Set(d, kNobody);
-  const int width = pixels.x1 - pixels.x0;
-  std::size_t count = 0;
-  for (int y = 0; y < pixels.y1 - pixels.y0; ++y)
-    for (int x = 0; x < width; x += static_cast<int>(hn::Lanes(d))) {
-      const int first = y * kTileSide + x;
-      const auto owner = hn::Load(d, tile.owner[0] + first);
-      // Nobody owns the pixels beyond the frame.
-      const auto visible = hn::Ne(owner, nobody);
-      if (hn::AllFalse(d, visible)) continue;
-      hn::CompressStore(owner, visible, d, fragments.owner.data() + count);
-      count += hn::CompressStore(hn::Iota(d, static_cast<std::uint32_t>(first)), visible, d,
-                                 fragments.pixel.data() + count);
-    }
-  fragments.count = count;
 }
 
 /// From offsets in the pixel to points in the viewport.
@@ -307,12 +282,11 @@ void placeFragmentsKernel(const InstanceTransform& transform, const TileRectangl
                           FragmentBatch& batch)
 {
   movePoints(pixels, batch);
-  ScreenCorners screen;
   if (transform.precise)
-    placeInDouble(transform, batch, screen);
+    placeInDouble(transform, batch);
   else
-    placeInFloat(transform, batch, screen);
-  weigh(transform.mirrored, screen, batch);
+    placeInFloat(transform, batch);
+  weigh(transform.mirrored, batch);
 }
 
 }  // namespace limn::HWY_NAMESPACE

@@ -154,15 +154,15 @@ class BatchFiller {
 
 }  // namespace
 
-bool FragmentShader::orderByInstance(const TileClusters& clusters, const FragmentList& fragments)
+bool FragmentShader::orderByInstance(const TileClusters& clusters, Span<const std::uint32_t> owners)
 {
   const PlacedInstance* const scene = clusters.scene->instances.data();
   numberInTile_.resize(clusters.scene->instances.size(), kNobody);
   instance_.clear();
   next_.clear();
-  number_.resize(fragments.count);
-  for (std::size_t f = 0; f < fragments.count; ++f) {
-    const PlacedInstance* placed = clusters.at(TileOwner::slot(fragments.owner[f])).placed;
+  number_.resize(owners.size());
+  for (std::size_t f = 0; f < owners.size(); ++f) {
+    const PlacedInstance* placed = clusters.at(TileOwner::slot(owners[f])).placed;
     const auto instance = static_cast<std::uint32_t>(placed - scene);
     if (numberInTile_[instance] == kNobody) {
       numberInTile_[instance] = static_cast<std::uint32_t>(instance_.size());
@@ -178,75 +178,102 @@ bool FragmentShader::orderByInstance(const TileClusters& clusters, const Fragmen
   std::uint32_t first = 0;
   for (std::uint32_t& next : next_)
     first += std::exchange(next, first);
-  order_.resize(fragments.count);
-  for (std::size_t f = 0; f < fragments.count; ++f)
+  order_.resize(owners.size());
+  for (std::size_t f = 0; f < owners.size(); ++f)
     order_[next_[number_[f]]++] = static_cast<std::uint32_t>(f);
   return true;
 }
 
-void FragmentShader::shadeBatch(const TileClusters& clusters, const PlacedInstance& placed,
-                                const TileRectangle& pixels)
+template <class Shade>
+void FragmentShader::forEachBatch(const TileClusters& clusters, Span<const std::uint32_t> owners,
+                                  Shade shade)
 {
-  const auto clusterOf = [&](int i) -> const PlacedCluster& {
-    return clusters.at(TileOwner::slot(batch_.owner[i]));
+  const bool isOrdered = clusters.scene->instances.size() > 1 && orderByInstance(clusters, owners);
+  const auto numberOf = [&](std::size_t i) {
+    return isOrdered ? order_[i] : static_cast<std::uint32_t>(i);
   };
+  const auto placedOf = [&](std::size_t i) {
+    return clusters.at(TileOwner::slot(owners[numberOf(i)])).placed;
+  };
+  for (std::size_t first = 0; first < owners.size();) {
+    const PlacedInstance& placed = *placedOf(first);
+    std::size_t end = std::min<std::size_t>(first + FragmentBatch::kCapacity, owners.size());
+    if (isOrdered)
+      while (placedOf(end - 1) != &placed)
+        --end;
+    std::uint32_t numbers[FragmentBatch::kCapacity];
+    for (std::size_t i = first; i < end; ++i) {
+      numbers[i - first] = numberOf(i);
+      batch_.owner[i - first] = owners[numberOf(i)];
+    }
+    batch_.count = static_cast<int>(end - first);
+    shade(placed, Span<const std::uint32_t>(numbers, end - first));
+    first = end;
+  }
+}
+
+void FragmentShader::fillBatch(const TileClusters& clusters, const PlacedInstance& placed,
+                               const TileRectangle& pixels)
+{
   if (placed.instance->style.frequency != ShadingFrequency::kFlat && isGatherable(placed.mesh())) {
     gatherFragments(clusters, placed, batch_);
   } else {
     const BatchFiller filler(placed, batch_);
     for (int i = 0; i < batch_.count; ++i)
-      filler.fill(clusterOf(i), TileOwner::triangle(batch_.owner[i]), i);
+      filler.fill(clusters.at(TileOwner::slot(batch_.owner[i])),
+                  TileOwner::triangle(batch_.owner[i]), i);
   }
   placeFragments(placed.transform, pixels, batch_);
-  for (int i = 0; i < batch_.count; ++i)
-    if (batch_.needsClip[i] != 0) {
-      // Clipped triangles are mostly large: the next fragment shows the same.
-      if (batch_.owner[i] != clippedOwner_)
-        clipped_ = clipClusterTriangle(clusterOf(i), TileOwner::triangle(batch_.owner[i]));
-      clippedOwner_ = batch_.owner[i];
-      placeClipped(clusterOf(i), clipped_, batch_, i);
-    }
-  lightFragments({clusters.scene, &placed}, batch_);
+}
+
+void FragmentShader::placeClippedFragments(const TileClusters& clusters)
+{
+  for (int i = 0; i < batch_.count; ++i) {
+    if (batch_.needsClip[i] == 0) continue;
+    const PlacedCluster& cluster = clusters.at(TileOwner::slot(batch_.owner[i]));
+    // Clipped triangles are mostly large: the next fragment shows the same.
+    if (batch_.owner[i] != clippedOwner_)
+      clipped_ = clipClusterTriangle(cluster, TileOwner::triangle(batch_.owner[i]));
+    clippedOwner_ = batch_.owner[i];
+    placeClipped(cluster, clipped_, batch_, i);
+  }
 }
 
 void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
-                           const FragmentList& fragments, Array<Rgba8>& colors)
+                           FragmentList& fragments, TileColors& colors)
 {
-  colors.resize(fragments.count);
   clippedOwner_ = kNobody;
-  const bool isOrdered =
-      clusters.scene->instances.size() > 1 && orderByInstance(clusters, fragments);
-  const auto numberOf = [&](std::size_t i) { return isOrdered ? order_[i] : i; };
-  const auto placedOf = [&](std::size_t i) {
-    return clusters.at(TileOwner::slot(fragments.owner[numberOf(i)])).placed;
+  const auto setPoint = [&](std::size_t i, std::uint32_t pixel, SampleOffset offset) {
+    batch_.pixel[i] = static_cast<std::int32_t>(pixel);
+    batch_.pointX[i] = offset.x;
+    batch_.pointY[i] = offset.y;
   };
+  const Span<const std::uint32_t> triangles(fragments.triangleOwner.data(),
+                                            fragments.triangleCount);
+  forEachBatch(clusters, triangles, [&](const PlacedInstance& placed, auto numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      setPoint(i, fragments.run[fragments.firstRun[numbers[i]]].pixel, kPixelCentre);
+    fillBatch(clusters, placed, pixels);
+    shadeTriangles({clusters.scene, &placed}, pixels, fragments, numbers, batch_, colors);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (batch_.needsClip[i] != 0) fragments.breakRuns(numbers[i], samples);
+  });
+
+  colors.fragment.resize(fragments.count);
   const ShadingOffsets& offsets = shadingOffsetsOf(samples);
-  for (std::size_t first = 0; first < fragments.count;) {
-    const PlacedInstance& placed = *placedOf(first);
-    std::size_t end = std::min<std::size_t>(first + FragmentBatch::kCapacity, fragments.count);
-    if (isOrdered)
-      while (placedOf(end - 1) != &placed)
-        --end;
-    batch_.count = static_cast<int>(end - first);
-    for (std::size_t i = first; i < end; ++i) {
-      const std::size_t f = numberOf(i), to = i - first;
-      batch_.owner[to] = fragments.owner[f];
-      batch_.pixel[to] = static_cast<std::int32_t>(fragments.pixel[f]);
-      const SampleOffset offset = samples == 1 ? kPixelCentre : offsets[fragments.coverage[f]];
-      batch_.pointX[to] = offset.x;
-      batch_.pointY[to] = offset.y;
-    }
-    shadeBatch(clusters, placed, pixels);
-    if (!isOrdered && end - first == FragmentBatch::kCapacity) {
-      quantizeFragments(batch_, colors.data() + first);
-    } else {
-      Rgba8 shaded[FragmentBatch::kCapacity];
-      quantizeFragments(batch_, shaded);
-      for (std::size_t i = first; i < end; ++i)
-        colors[numberOf(i)] = shaded[i - first];
-    }
-    first = end;
-  }
+  const Span<const std::uint32_t> owners(fragments.owner.data(), fragments.count);
+  forEachBatch(clusters, owners, [&](const PlacedInstance& placed, auto numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      setPoint(i, fragments.pixel[numbers[i]],
+               samples == 1 ? kPixelCentre : offsets[fragments.coverage[numbers[i]]]);
+    fillBatch(clusters, placed, pixels);
+    placeClippedFragments(clusters);
+    lightFragments({clusters.scene, &placed}, batch_);
+    Rgba8 shaded[FragmentBatch::kCapacity];
+    quantizeFragments(batch_, shaded);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      colors.fragment[numbers[i]] = shaded[i];
+  });
 }
 
 }  // namespace limn
