@@ -19,6 +19,20 @@ enum class Background : std::uint8_t {
   kKeepApart,
 };
 
+/// What render() writes to a frame before it draws, for frames whose old content is of no account:
+/// cheaper than clearing them first. Clears the planes that name things and the coverage too, to
+/// kNobody and 0. An error clears nothing.
+struct FrameClear {
+  enum class Extent : std::uint8_t {
+    kNothing,
+    kTouched,  ///< at least the pixels of RenderStats::touched; the others are not touched
+    kAll,
+  };
+  Extent extent = Extent::kNothing;
+  Rgba8 color = {0, 0, 0, 0};
+  float depth = 1;  ///< 0 to 1
+};
+
 /// Where a picture goes: borrowed rows, row 0 at the bottom, as glReadPixels has it. The scene is
 /// drawn over what the frame holds: `color` and `depth` are read and written.
 struct FrameView {
@@ -32,7 +46,8 @@ struct FrameView {
   std::uint32_t* instance = nullptr;  ///< Instance::id of the nearest sample; may be null
   std::uint32_t* cell = nullptr;      ///< cell of the nearest sample; may be null
   Background background = Background::kBlend;
+  FrameClear clear;
 };
-// Pixels that show no instance keep their old values in every plane.
+// Pixels that show no instance keep their old values, or those of `clear`, in every plane.
 
 }  // namespace limn

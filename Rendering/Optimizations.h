@@ -12,6 +12,8 @@ struct Optimizations {
   /// Clusters below 112 pixels are set up in 16-bit arithmetic, and their triangles that meet 4 x 4
   /// pixels or fewer drawn a vector of triangles at a time.
   bool smallClusters = true;
+  /// Pixels next to each other that show one triangle are shaded by what the triangle is.
+  bool fragmentRuns = true;
 };
 
 }  // namespace limn

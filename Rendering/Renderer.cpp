@@ -6,12 +6,14 @@
 #include "Rendering/Base/FloatMode.h"
 #include "Rendering/Binning/BinClusters.h"
 #include "Rendering/CheckScene.h"
+#include "Rendering/Post/ClearPixels.h"
 #include "Rendering/Post/ResolveTile.h"
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Reference/ReferenceRenderer.h"
 #include "Rendering/Shading/Fragments.h"
 #include "Rendering/Vertex/PlacedScene.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <memory>
@@ -46,12 +48,22 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
+bool isToBeCleared(const FrameClear& clear, const TileRectangle& pixels,
+                   const TileRectangle& touched)
+{
+  const bool meets = std::max(pixels.x0, touched.x0) < std::min(pixels.x1, touched.x1) &&
+                     std::max(pixels.y0, touched.y0) < std::min(pixels.y1, touched.y1);
+  return clear.extent == FrameClear::Extent::kAll ||
+         (clear.extent == FrameClear::Extent::kTouched && meets);
+}
+
 /// Returns the number of occluded clusters.
 std::size_t drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
                      const FrameView& frame)
 {
-  if (bins.clustersOf(tile).empty()) return 0;
   const TileRectangle pixels = bins.grid.rectangle(tile);
+  if (isToBeCleared(frame.clear, pixels, bins.touched)) clearPixels(frame, pixels);
+  if (bins.clustersOf(tile).empty()) return 0;
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
 
@@ -59,7 +71,8 @@ std::size_t drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t
   const TileClusters clusters = {&scene, memory.ordered};
   clearTile(frame, pixels, samples, memory.visible);
   const std::size_t occluded = rasterizeTile(clusters, pixels, samples, memory.visible);
-  collectFragments(memory.visible, pixels, samples, memory.fragments);
+  collectFragments(memory.visible, pixels, samples, scene.optimizations.fragmentRuns,
+                   memory.fragments);
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
   resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
   return occluded;
@@ -116,6 +129,8 @@ Status render(const Scene& scene, const FrameView& frame, const RenderOptions& o
   RenderStats frameStats;
   if (options.backend == Backend::kReference) {
     const Stopwatch time;
+    if (frame.clear.extent != FrameClear::Extent::kNothing)
+      clearPixels(frame, {0, 0, frame.width, frame.height});
     reference::render(scene, frame);
     frameStats.instances = scene.instances.size();
     for (const Instance& instance : scene.instances)

@@ -36,7 +36,7 @@ struct RenderStats {
   std::size_t occludedClusters = 0;  ///< of these, left out because the tile was nearer
   double binMilliseconds = 0, tileMilliseconds = 0;
   std::size_t bytes = 0;   ///< of the clusters and of the frame's own memory
-  PixelRectangle touched;  ///< no pixel outside was written
+  PixelRectangle touched;  ///< no pixel outside was written, but for FrameView::clear
 };
 
 /// Draws `scene` into `frame`. The picture depends on the scene and the frame's old content only:

@@ -73,7 +73,7 @@ void Read(const vtkLimnRenderWindow::vtkFrame& frame, const Planes& plane, const
 
 void ReadRgb(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, unsigned char* out)
 {
-  Read(frame, frame.Color, region, 3, static_cast<unsigned char>(0), out,
+  Read(frame, frame.GetColor(), region, 3, static_cast<unsigned char>(0), out,
     [](const limn::Rgba8* pixels, size_t count, unsigned char* row)
     {
       for (size_t i = 0; i < count; ++i)
@@ -87,14 +87,14 @@ void ReadRgb(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, unsigne
 
 void ReadRgba(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, unsigned char* out)
 {
-  Read(frame, frame.Color, region, 4, static_cast<unsigned char>(0), out,
+  Read(frame, frame.GetColor(), region, 4, static_cast<unsigned char>(0), out,
     [](const limn::Rgba8* pixels, size_t count, unsigned char* row)
     { std::memcpy(row, pixels, 4 * count); });
 }
 
 void ReadFloats(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, float* out)
 {
-  Read(frame, frame.Color, region, 4, 0.0f, out,
+  Read(frame, frame.GetColor(), region, 4, 0.0f, out,
     [](const limn::Rgba8* pixels, size_t count, float* row)
     {
       for (size_t i = 0; i < count; ++i)
@@ -109,7 +109,7 @@ void ReadFloats(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, floa
 
 void ReadDepth(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, float* out)
 {
-  Read(frame, frame.Depth, region, 1, 1.0f, out,
+  Read(frame, frame.GetDepth(), region, 1, 1.0f, out,
     [](const float* depths, size_t count, float* row)
     { std::memcpy(row, depths, count * sizeof(float)); });
 }
@@ -118,7 +118,7 @@ void ReadDepth(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, float
 template <class ColorAt>
 void Write(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, int blend, ColorAt colorAt)
 {
-  frame.ForEach(frame.Color, region,
+  frame.ForEach(frame.GetColor(), region,
     [&](limn::Rgba8* pixel, size_t index)
     {
       if (pixel)
@@ -464,7 +464,7 @@ int vtkLimnRenderWindow::SetZbufferData(int x, int y, int x2, int y2, float* z)
   {
     return VTK_ERROR;
   }
-  this->Pixels->ForEach(this->Pixels->Depth, region,
+  this->Pixels->ForEach(this->Pixels->GetDepth(), region,
     [z](float* depth, size_t index)
     {
       if (depth)
@@ -491,5 +491,6 @@ void vtkLimnRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SamplesPerPixel: " << this->GetSamplesPerPixel() << "\n";
-  os << indent << "Frame: " << this->Pixels->Width << " x " << this->Pixels->Height << "\n";
+  os << indent << "Frame: " << this->Pixels->GetWidth() << " x " << this->Pixels->GetHeight()
+     << "\n";
 }

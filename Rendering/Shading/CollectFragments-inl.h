@@ -56,7 +56,7 @@ std::uint64_t collectRuns(const VisibilityTile& tile, int row, const RowBits& bi
     runs &= goesOn >> i;
   for (; runs != 0; runs &= runs - 1) {
     const int column = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(runs));
-    const std::uint64_t stops = column + 1 < kTileSide ? ~goesOn >> (column + 1) : 1;
+    const std::uint64_t stops = ~goesOn >> (column + 1);
     const int length = stops == 0 ? kTileSide - column
                                   : 1 + static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero64(stops));
     const int pixel = row * kTileSide + column;
@@ -111,12 +111,12 @@ void collectSeveral(const VisibilityTile& tile, int samples, int row, std::uint6
 }
 
 void collectFragmentsKernel(const VisibilityTile& tile, const TileRectangle& pixels, int samples,
-                            FragmentList& fragments)
+                            bool byRuns, FragmentList& fragments)
 {
   // Nobody owns the pixels beyond the frame.
   for (int row = 0; row < pixels.y1 - pixels.y0; ++row) {
     const RowBits bits = bitsOfRow(tile, samples, row);
-    const std::uint64_t rest = collectRuns(tile, row, bits, fragments);
+    const std::uint64_t rest = byRuns ? collectRuns(tile, row, bits, fragments) : bits.visible;
     if (rest == 0) continue;
     if (samples == 1)
       collectOnes(tile, row, rest, fragments);

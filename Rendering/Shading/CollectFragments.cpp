@@ -55,11 +55,11 @@ void FragmentList::breakRuns(std::size_t triangle, int samples)
 }
 
 void collectFragments(const VisibilityTile& tile, const TileRectangle& pixels, int samples,
-                      FragmentList& fragments)
+                      bool byRuns, FragmentList& fragments)
 {
   fragments.reserve(samples);
   fragments.count = fragments.runCount = fragments.triangleCount = 0;
-  HWY_DYNAMIC_DISPATCH(collectFragmentsKernel)(tile, pixels, samples, fragments);
+  HWY_DYNAMIC_DISPATCH(collectFragmentsKernel)(tile, pixels, samples, byRuns, fragments);
 }
 
 }  // namespace limn

@@ -52,8 +52,9 @@ struct FragmentList {
   std::array<std::uint16_t, kPlaces> place_;
 };
 
-/// Lists the fragments of a tile, pixel by pixel. Within a pixel they follow their first sample.
+/// Lists the fragments of a tile, pixel by pixel, those of large triangles by runs if `byRuns`.
+/// Within a pixel they follow their first sample.
 void collectFragments(const VisibilityTile& tile, const TileRectangle& pixels, int samples,
-                      FragmentList& fragments);
+                      bool byRuns, FragmentList& fragments);
 
 }  // namespace limn

@@ -57,19 +57,30 @@ TEST_P(EveryTarget, DrawsFineMeshesLikeTheReference)
   }
 }
 
+TEST_P(EveryTarget, DrawsCoarseMeshesLikeTheReference)
+{
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kCoarse);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    ASSERT_EQ(drawn(random, {Backend::kPipeline, 2}).differingPixels(expected), 0u)
+        << "seed " << seed;
+  }
+}
+
 TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)
 {
   std::size_t occluded = 0;
-  for (std::uint32_t seed = 100; seed < 140; ++seed) {
-    const RandomScene random(seed, RandomScene::Detail::kFine);
+  for (std::uint32_t seed = 100; seed < 160; ++seed) {
+    const RandomScene random(
+        seed, seed % 3 == 0 ? RandomScene::Detail::kCoarse : RandomScene::Detail::kFine);
     Picture fast = random.canvas();
     RenderStats stats;
     ASSERT_TRUE(
         render(random.scene(), fast.frame(random.background()), {Backend::kPipeline, 2}, &stats)
             .ok());
     occluded += stats.occludedClusters;
-    for (bool Optimizations::*one :
-         {&Optimizations::occlusionCulling, &Optimizations::smallClusters}) {
+    for (bool Optimizations::*one : {&Optimizations::occlusionCulling,
+                                     &Optimizations::smallClusters, &Optimizations::fragmentRuns}) {
       RenderOptions options = {Backend::kPipeline, 2};
       options.optimizations.*one = false;
       ASSERT_EQ(drawn(random, options).differingPixels(fast), 0u) << "seed " << seed;

@@ -107,6 +107,25 @@ std::vector<Vec3d> makeBumpySphere(Random& random, OwnedMesh& mesh)
   return points;
 }
 
+/// An uneven sheet across the picture.
+std::vector<Vec3d> makeSheet(Random& random, OwnedMesh& mesh)
+{
+  const std::uint32_t side = 2 + random.below(5);
+  const double depth = random.between(-1, 1);
+  std::vector<Vec3d> points;
+  for (std::uint32_t j = 0; j < side; ++j)
+    for (std::uint32_t i = 0; i < side; ++i)
+      points.push_back({5.0 * i / (side - 1) - 2.5, 5.0 * j / (side - 1) - 2.5,
+                        depth + random.between(-0.4, 0.4)});
+  for (std::uint32_t j = 0; j + 1 < side; ++j)
+    for (std::uint32_t i = 0; i + 1 < side; ++i) {
+      const std::uint32_t p = j * side + i;
+      addTriangle(mesh, p, p + 1, p + side + 1);
+      addTriangle(mesh, p, p + side + 1, p + side);
+    }
+  return points;
+}
+
 }  // namespace
 
 Picture::Picture(int w, int h) : width(w), height(h)
@@ -122,7 +141,7 @@ Picture::Picture(int w, int h) : width(w), height(h)
 FrameView Picture::frame(Background background)
 {
   return {width,           height,          width,       color.data(), depth.data(),
-          coverage.data(), instance.data(), cell.data(), background};
+          coverage.data(), instance.data(), cell.data(), background,   {}};
 }
 
 std::size_t Picture::differingPixels(const Picture& other) const
@@ -147,8 +166,8 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   for (std::uint32_t i = 0; i < meshes; ++i)
     addMesh(random, detail);
   for (std::uint32_t i = 0; i < meshes; ++i)
-    instances_.push_back(instanceOf(random, *meshes_[i], 7 + i));
-  if (random.chance(3)) instances_.push_back(instanceOf(random, *meshes_[0], 42));
+    instances_.push_back(instanceOf(random, *meshes_[i], 7 + i, detail));
+  if (random.chance(3)) instances_.push_back(instanceOf(random, *meshes_[0], 42, detail));
   const std::uint32_t lights = random.below(4);
   for (std::uint32_t i = 0; i < lights; ++i)
     lights_.push_back(randomLight(random));
@@ -179,8 +198,9 @@ void RandomScene::addMesh(Random& random, Detail detail)
 {
   auto mesh = std::make_unique<OwnedMesh>();
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
-  std::vector<Vec3d> points =
-      detail == Detail::kFine ? makeBumpySphere(random, *mesh) : makeShape(random, shape, *mesh);
+  std::vector<Vec3d> points = detail == Detail::kFine     ? makeBumpySphere(random, *mesh)
+                              : detail == Detail::kCoarse ? makeSheet(random, *mesh)
+                                                          : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
     points[random.below(static_cast<std::uint32_t>(points.size()))].y = kInfinity;
     points[random.below(static_cast<std::uint32_t>(points.size()))].z = std::nan("");
@@ -224,7 +244,8 @@ void RandomScene::addAttributes(Random& random, OwnedMesh& mesh)
   mesh.faces = faceGeometry(mesh.view(), mesh.cells, mesh.cellCount);
 }
 
-Instance RandomScene::instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id)
+Instance RandomScene::instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id,
+                                 Detail detail)
 {
   Instance instance;
   instance.clusters = &mesh.clusters;
@@ -246,6 +267,9 @@ Instance RandomScene::instanceOf(Random& random, const OwnedMesh& mesh, std::uin
                        static_cast<float>(random.between(0, 1)),
                        static_cast<float>(random.chance(5) ? 0 : random.between(0, 120))};
   instance.style = randomStyle(random, mesh);
+  if (detail == Detail::kCoarse && random.chance(2)) instance.material.specular = 0;
+  if (detail == Detail::kCoarse && random.chance(2))
+    instance.style.outlineThreshold = static_cast<float>(random.between(0, 1));
   instance.cullBackFaces = random.chance(5);
   instance.cullFrontFaces = random.chance(8);
   instance.id = id;

@@ -71,6 +71,7 @@ class RandomScene {
   enum class Detail {
     kAny,   ///< up to some hundred triangles of every kind
     kFine,  ///< closed, bumpy surfaces of ten thousands, which hide each other and their own backs
+    kCoarse,  ///< some triangles that fill the picture, half of them matt, half with outlines
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -82,7 +83,7 @@ class RandomScene {
  private:
   void addMesh(Random& random, Detail detail);
   void addAttributes(Random& random, OwnedMesh& mesh);
-  Instance instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id);
+  Instance instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id, Detail detail);
   Style randomStyle(Random& random, const OwnedMesh& mesh);
   Light randomLight(Random& random);
   void placeCamera(Random& random);

@@ -227,6 +227,72 @@ TEST_P(Frames, NothingOutsideTheTouchedRectangleIsWritten)
   EXPECT_LE(touched.x1 - touched.x0, right - left + slack);
 }
 
+/// Two tiles and more, of which the sphere meets only some.
+Stage sphereAside()
+{
+  Stage stage;
+  stage.width = 300;
+  stage.height = 200;
+  stage.view.target = {1.1, 0.4, 0};
+  stage.samples = 2;
+  stage.instances = {painted(fineSphere(), {1, 1, 1})};
+  return stage;
+}
+
+TEST_P(Frames, ClearingWhileDrawingIsDrawingOverAClearedFrame)
+{
+  const Stage stage = sphereAside();
+  Picture expected(stage.width, stage.height);
+  std::fill(expected.color.begin(), expected.color.end(), Rgba8{9, 8, 7, 6});
+  std::fill(expected.depth.begin(), expected.depth.end(), 0.9f);
+  stage.drawOver(expected, GetParam());
+
+  Picture picture(stage.width, stage.height);
+  std::fill(picture.color.begin(), picture.color.end(), Rgba8{200, 0, 0, 0});
+  std::fill(picture.depth.begin(), picture.depth.end(), 0.1f);
+  std::fill(picture.coverage.begin(), picture.coverage.end(), std::uint8_t{3});
+  std::fill(picture.cell.begin(), picture.cell.end(), 3u);
+  std::fill(picture.instance.begin(), picture.instance.end(), 3u);
+  FrameView frame = picture.frame(Background::kBlend);
+  frame.clear = {FrameClear::Extent::kAll, {9, 8, 7, 6}, 0.9f};
+  ASSERT_TRUE(render(stage.scene(), frame, {GetParam(), 2}).ok());
+  EXPECT_EQ(picture.differingPixels(expected), 0u);
+}
+
+TEST_P(Frames, ClearingWhatIsTouchedLeavesTheRest)
+{
+  const Stage stage = sphereAside();
+  const Picture expected = stage.draw(GetParam());
+  Picture picture(stage.width, stage.height);
+  std::fill(picture.color.begin(), picture.color.end(), Rgba8{200, 0, 0, 0});
+  FrameView frame = picture.frame(Background::kBlend);
+  frame.clear.extent = FrameClear::Extent::kTouched;
+  RenderStats stats;
+  ASSERT_TRUE(render(stage.scene(), frame, {GetParam(), 2}, &stats).ok());
+  std::size_t left = 0;
+  for (int y = 0; y < stage.height; ++y)
+    for (int x = 0; x < stage.width; ++x) {
+      const auto i = static_cast<std::size_t>(y * stage.width + x);
+      const PixelRectangle& t = stats.touched;
+      if (x >= t.x0 && x < t.x1 && y >= t.y0 && y < t.y1) {
+        ASSERT_EQ(picture.color[i].r, expected.color[i].r) << x << ", " << y;
+      }
+      left += picture.color[i].r == 200;
+    }
+  EXPECT_EQ(left > 10000, GetParam() == Backend::kPipeline);
+}
+
+TEST_P(Frames, AnErrorClearsNothing)
+{
+  Stage stage = pixelStage(kSide, 4);
+  stage.samples = 3;
+  Picture picture = filled({1, 2, 3, 4});
+  FrameView frame = picture.frame(Background::kBlend);
+  frame.clear.extent = FrameClear::Extent::kAll;
+  EXPECT_FALSE(render(stage.scene(), frame, {GetParam(), 1}).ok());
+  EXPECT_EQ(picture.differingPixels(filled({1, 2, 3, 4})), 0u);
+}
+
 TEST_P(Frames, AnEmptySceneChangesNothing)
 {
   const OwnedMesh empty = soup({});

@@ -19,6 +19,7 @@
 #include "vtkWindowToImageFilter.h"
 
 #include <cstring>
+#include <memory>
 #include <string>
 
 namespace
@@ -45,6 +46,27 @@ void checkBackground()
     const int expected = static_cast<int>(204 * (y + 0.5) / 80 + 0.5);
     CHECK_EQUAL(picture.At(50, y), (Pixel{ expected, expected, expected }));
   }
+}
+
+/// A clear is put off until pixels are asked for.
+void checkClearIsSeen()
+{
+  Stage stage;
+  stage.Renderer->SetBackground(0, 1, 0);
+  render(stage.Window);
+  stage.Renderer->SetBackground(0, 0, 1);
+  stage.Renderer->Clear();
+  const std::unique_ptr<unsigned char[]> rgb(stage.Window->GetPixelData(0, 0, 0, 0, 0));
+  CHECK_EQUAL((Pixel{ rgb[0], rgb[1], rgb[2] }), (Pixel{ 0, 0, 255 }));
+  stage.Renderer->SetBackground(1, 0, 0);
+  stage.Renderer->Clear();
+  float depth = 0;
+  stage.Window->GetZbufferData(50, 40, 50, 40, &depth);
+  CHECK_EQUAL(depth, 1.0f);
+  // A window of another size does not remember.
+  stage.Renderer->Clear();
+  stage.Window->SetSize(30, 30);
+  CHECK_EQUAL(render(stage.Window).At(0, 0), (Pixel{ 255, 0, 0 }));
 }
 
 void checkViewports()
@@ -303,6 +325,7 @@ void checkForeignRenderer()
 int TestLimnWindow(int argc, char* argv[])
 {
   checkBackground();
+  checkClearIsSeen();
   checkViewports();
   checkLayers();
   checkErase();

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace limn::bridge
 {
@@ -84,31 +83,25 @@ void clearViewport(vtkRenderer* renderer, Frame& frame)
   {
     return;
   }
-  // Rows are copies of a filled one: the compiler's own loops do not go by vectors here.
-  const auto width = static_cast<size_t>(viewport.Width);
-  if (!renderer->Transparent())
+  const RowColor color(renderer, viewport);
+  const bool keepsColor = renderer->Transparent();
+  const bool keepsDepth = renderer->GetPreserveDepthBuffer();
+  if (!keepsColor && !keepsDepth && !renderer->GetGradientBackground())
   {
-    const RowColor color(renderer, viewport);
-    const bool isPlain = !renderer->GetGradientBackground();
-    const std::vector<Rgba8> filled(width, color.at(viewport.Y));
-    frame.ForEachRow(frame.Color, viewport,
-      [&](Rgba8* row, size_t count, size_t index)
-      {
-        if (isPlain)
-        {
-          std::copy_n(filled.begin(), count, row);
-        }
-        else
-        {
-          std::fill_n(row, count, color.at(viewport.Y + static_cast<int>(index / width)));
-        }
+    frame.ClearLater(viewport, color.at(viewport.Y));
+    return;
+  }
+  if (!keepsColor)
+  {
+    frame.ForEachRow(frame.GetColor(), viewport,
+      [&](Rgba8* row, size_t count, size_t index) {
+        std::fill_n(row, count, color.at(viewport.Y + static_cast<int>(index / viewport.Width)));
       });
   }
-  if (!renderer->GetPreserveDepthBuffer())
+  if (!keepsDepth)
   {
-    const std::vector<float> filled(width, 1.0f);
-    frame.ForEachRow(frame.Depth, viewport,
-      [&](float* row, size_t count, size_t) { std::copy_n(filled.begin(), count, row); });
+    frame.ForEachRow(frame.GetDepth(), viewport,
+      [](float* row, size_t count, size_t) { std::fill_n(row, count, 1.0f); });
   }
 }
 

@@ -226,31 +226,22 @@ Status SurfacePass::renderInto(
   sampled.samples = window->GetSamplesPerPixel();
   EngineState& engine = EngineState::instance();
   RenderStats stats;
-  Status status = render(sampled, window->GetFrame().View(viewport), engine.options, &stats);
+  const FrameView view = window->GetFrame().View(viewport);
+  Status status = render(sampled, view, engine.options, &stats);
+  if (!status.ok() && view.clear.extent != FrameClear::Extent::kNothing)
+  {
+    window->GetFrame().ClearLater(viewport, view.clear.color);
+  }
   engine.add(stats, prepareMilliseconds);
   return status;
 }
 
-FrameView SurfacePass::clearedLayer(int width, int height)
+FrameView SurfacePass::layer(int width, int height)
 {
   const std::size_t pixels = static_cast<std::size_t>(width) * height;
-  if (width != layerWidth_ || height != layerHeight_)
-  {
-    layerWidth_ = width;
-    layerHeight_ = height;
-    layerColor_.assign(pixels, Rgba8{ 0, 0, 0, 0 });
-    layerDepth_.assign(pixels, 1.0f);
-    layerCoverage_.assign(pixels, 0);
-    layerTouched_ = {};
-  }
-  for (int y = layerTouched_.y0; y < layerTouched_.y1; ++y)
-  {
-    const std::ptrdiff_t first = static_cast<std::ptrdiff_t>(y) * width + layerTouched_.x0;
-    const int count = std::max(layerTouched_.x1 - layerTouched_.x0, 0);
-    std::fill_n(layerColor_.begin() + first, count, Rgba8{ 0, 0, 0, 0 });
-    std::fill_n(layerDepth_.begin() + first, count, 1.0f);
-    std::fill_n(layerCoverage_.begin() + first, count, std::uint8_t(0));
-  }
+  layerColor_.resize(pixels);
+  layerDepth_.resize(pixels);
+  layerCoverage_.resize(pixels);
   FrameView frame;
   frame.width = width;
   frame.height = height;
@@ -259,6 +250,7 @@ FrameView SurfacePass::clearedLayer(int width, int height)
   frame.depth = layerDepth_.data();
   frame.coverage = layerCoverage_.data();
   frame.background = Background::kKeepApart;
+  frame.clear.extent = FrameClear::Extent::kTouched;
   return frame;
 }
 
@@ -274,20 +266,19 @@ Status SurfacePass::renderLayer(const Scene& scene, double prepareMilliseconds)
   sampled.samples = compositor()->GetSamples(renderer_);
   EngineState& engine = EngineState::instance();
   RenderStats stats;
-  const FrameView frame = this->clearedLayer(size[0], size[1]);
-  layerTouched_ = { 0, 0, size[0], size[1] };
+  const FrameView frame = this->layer(size[0], size[1]);
   Status status = render(sampled, frame, engine.options, &stats);
   engine.add(stats, prepareMilliseconds);
   if (!status.ok())
   {
     return status;
   }
-  layerTouched_ = stats.touched;
-  if (layerTouched_.x0 < layerTouched_.x1 && layerTouched_.y0 < layerTouched_.y1)
+  const PixelRectangle& touched = stats.touched;
+  if (touched.x0 < touched.x1 && touched.y0 < touched.y1)
   {
     const vtkLimnCompositor::Layer layer = { size[0], size[1],
-      { layerTouched_.x0, layerTouched_.y0, layerTouched_.x1, layerTouched_.y1 }, sampled.samples,
-      &frame.color->r, frame.depth, frame.coverage };
+      { touched.x0, touched.y0, touched.x1, touched.y1 }, sampled.samples, &frame.color->r,
+      frame.depth, frame.coverage };
     compositor()->Composite(renderer_, layer);
   }
   return {};

@@ -5,6 +5,7 @@
 
 #include "Surface.h"
 
+#include "Rendering/Base/Array.h"
 #include "Rendering/FrameView.h"
 #include "Rendering/Renderer.h"
 
@@ -46,7 +47,7 @@ private:
   Status renderInto(const Scene& scene, double prepareMilliseconds);
   Status renderInto(vtkLimnRenderWindow* window, const Scene& scene, double prepareMilliseconds);
   Status renderLayer(const Scene& scene, double prepareMilliseconds);
-  FrameView clearedLayer(int width, int height);
+  FrameView layer(int width, int height);
 
   struct View
   {
@@ -62,13 +63,10 @@ private:
   View view_ = {};
   std::map<vtkActor*, int> due_; ///< how often an actor drawn already is still to come
 
-  /// The layer for windows of other backends, and where the last one left something.
-  int layerWidth_ = 0;
-  int layerHeight_ = 0;
-  std::vector<Rgba8> layerColor_;
-  std::vector<float> layerDepth_;
-  std::vector<std::uint8_t> layerCoverage_;
-  PixelRectangle layerTouched_;
+  /// The layer for windows of other backends.
+  Array<Rgba8> layerColor_;
+  Array<float> layerDepth_;
+  Array<std::uint8_t> layerCoverage_;
 };
 
 /// The pass of a renderer; it goes with the renderer.

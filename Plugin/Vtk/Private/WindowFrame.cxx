@@ -27,6 +27,7 @@ void vtkLimnRenderWindow::vtkFrame::Resize(int width, int height)
   const size_t pixels = static_cast<size_t>(width) * height;
   this->Width = width;
   this->Height = height;
+  this->RegionToClear = { 0, 0, 0, 0 };
   this->Color.assign(pixels, limn::Rgba8{ 0, 0, 0, 0 });
   this->Depth.assign(pixels, 1.0f);
   // A window that became smaller should not hold on to the memory of the large one.
@@ -44,15 +45,58 @@ vtkLimnRenderWindow::vtkFrame::Region vtkLimnRenderWindow::vtkFrame::Clip(
   return { x0, y0, std::max(x1 - x0, 0), std::max(y1 - y0, 0) };
 }
 
+std::vector<limn::Rgba8>& vtkLimnRenderWindow::vtkFrame::GetColor()
+{
+  this->ClearNow();
+  return this->Color;
+}
+
+std::vector<float>& vtkLimnRenderWindow::vtkFrame::GetDepth()
+{
+  this->ClearNow();
+  return this->Depth;
+}
+
+void vtkLimnRenderWindow::vtkFrame::ClearLater(const Region& inside, limn::Rgba8 color)
+{
+  this->ClearNow();
+  this->RegionToClear = inside;
+  this->ClearColor = color;
+}
+
+void vtkLimnRenderWindow::vtkFrame::ClearNow()
+{
+  const Region region = this->RegionToClear;
+  if (region.IsEmpty())
+  {
+    return;
+  }
+  this->RegionToClear = { 0, 0, 0, 0 };
+  // Rows are copies of a filled one: the compiler's own loops do not go by vectors here.
+  const std::vector<limn::Rgba8> colors(region.Width, this->ClearColor);
+  const std::vector<float> depths(region.Width, 1.0f);
+  this->ForEachRow(this->Color, region,
+    [&](limn::Rgba8* row, size_t count, size_t) { std::copy_n(colors.begin(), count, row); });
+  this->ForEachRow(this->Depth, region,
+    [&](float* row, size_t count, size_t) { std::copy_n(depths.begin(), count, row); });
+}
+
 limn::FrameView vtkLimnRenderWindow::vtkFrame::View(const Region& inside)
 {
-  const size_t corner = static_cast<size_t>(inside.Y) * this->Width + inside.X;
   limn::FrameView view;
+  const Region& toClear = this->RegionToClear;
+  if (toClear.X == inside.X && toClear.Y == inside.Y && toClear.Width == inside.Width &&
+      toClear.Height == inside.Height)
+  {
+    view.clear = { limn::FrameClear::Extent::kAll, this->ClearColor, 1.0f };
+    this->RegionToClear = { 0, 0, 0, 0 };
+  }
+  const size_t corner = static_cast<size_t>(inside.Y) * this->Width + inside.X;
   view.width = inside.Width;
   view.height = inside.Height;
   view.rowStride = this->Width;
-  view.color = this->Color.data() + corner;
-  view.depth = this->Depth.data() + corner;
+  view.color = this->GetColor().data() + corner;
+  view.depth = this->GetDepth().data() + corner;
   view.background = limn::Background::kBlend;
   return view;
 }

@@ -38,9 +38,18 @@ public:
   /// Keeps the content if the size stays the same, else starts with zeros and the farthest depth.
   void Resize(int width, int height);
   bool IsEmpty() const { return this->Color.empty(); }
+  int GetWidth() const { return this->Width; }
+  int GetHeight() const { return this->Height; }
+  std::vector<limn::Rgba8>& GetColor();
+  std::vector<float>& GetDepth();
 
   /// The part of `region` that lies in the window.
   Region Clip(const Region& region) const;
+  /// Fills the region with one colour and the farthest depth, when next somebody asks for pixels:
+  /// mostly that is View(), whose user can do it for less.
+  void ClearLater(const Region& inside, limn::Rgba8 color);
+  /// The region to be drawn to. If it is the one to be cleared, that is left to the user of the
+  /// view.
   limn::FrameView View(const Region& inside);
 
   /// Calls visit(pixel of the frame, or nullptr outside; index in the region) for each pixel of
@@ -86,10 +95,15 @@ public:
       });
   }
 
+private:
+  void ClearNow();
+
   int Width = 0;
   int Height = 0;
   std::vector<limn::Rgba8> Color;
   std::vector<float> Depth;
+  Region RegionToClear = { 0, 0, 0, 0 }; ///< empty if none is
+  limn::Rgba8 ClearColor = { 0, 0, 0, 0 };
 };
 
 #endif
