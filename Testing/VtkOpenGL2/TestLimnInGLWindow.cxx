@@ -14,6 +14,8 @@
 #include "vtkCallbackCommand.h"
 #include "vtkCellPicker.h"
 #include "vtkConeSource.h"
+#include "vtkElevationFilter.h"
+#include "vtkPointDataToCellData.h"
 #include "vtkRenderWindowInteractor.h"
 #include "vtkSphereSource.h"
 #include "vtkTrivialProducer.h"
@@ -291,6 +293,35 @@ TEST(LimnInGLWindow, CullsAsOpenGLDoes)
     pictures[limn] = scene.Render();
   }
   ExpectAlikeButRounding(pictures[0], pictures[1]);
+}
+
+TEST(LimnInGLWindow, IsUnlitWithoutLights)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(0.7);
+  vtkNew<vtkElevationFilter> ofPoints;
+  ofPoints->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkPointDataToCellData> ofCells;
+  ofCells->SetInputConnection(ofPoints->GetOutputPort());
+  for (vtkAlgorithmOutput* colors :
+    { sphere->GetOutputPort(), ofPoints->GetOutputPort(), ofCells->GetOutputPort() })
+  {
+    Picture pictures[2];
+    for (int limn = 0; limn < 2; ++limn)
+    {
+      GLScene scene(0);
+      scene.Renderer->AutomaticLightCreationOff();
+      vtkSmartPointer<vtkActor> actor = limn ? MakeLimnActor(colors) : MakeGLActor(colors);
+      actor->GetProperty()->SetColor(0.9, 0.6, 0.2);
+      actor->GetProperty()->SetAmbientColor(0.1, 0.5, 1.0);
+      actor->GetProperty()->SetAmbient(0.2);
+      actor->GetProperty()->SetDiffuse(0.6);
+      actor->GetProperty()->SetSpecular(0.5);
+      scene.Renderer->AddActor(actor);
+      pictures[limn] = scene.Render();
+    }
+    ExpectAlikeButRounding(pictures[0], pictures[1]);
+  }
 }
 
 TEST(LimnInGLWindow, AnswersHardwareSelectors)

@@ -104,6 +104,21 @@ std::vector<Light> lightsOf(vtkRenderer* renderer)
   return lights;
 }
 
+bool isUnlit(vtkRenderer* renderer)
+{
+  vtkLightCollection* const sources = renderer->GetLights();
+  vtkCollectionSimpleIterator iterator;
+  sources->InitTraversal(iterator);
+  while (vtkLight* const source = sources->GetNextLight(iterator))
+  {
+    if (source->GetSwitch())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 Vec3f ambientLightOf(vtkRenderer* renderer)
 {
   return toVec3f(renderer->GetAmbient());

@@ -18,8 +18,11 @@ Mat4d toMat4(vtkMatrix4x4* matrix);
 /// The active camera, for the renderer's viewport of the current tile.
 Camera cameraOf(vtkRenderer* renderer);
 
-/// The lights that are switched on.
+/// The lights that are switched on and reach something.
 std::vector<Light> lightsOf(vtkRenderer* renderer);
+
+/// Whether no light of the renderer is switched on: VTK then draws its surfaces unlit.
+bool isUnlit(vtkRenderer* renderer);
 
 /// I_a of the chapter's reflection models.
 Vec3f ambientLightOf(vtkRenderer* renderer);

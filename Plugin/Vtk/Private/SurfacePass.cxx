@@ -85,6 +85,18 @@ Drawables describeAll(const std::vector<Surface>& surfaces)
   return drawables;
 }
 
+/// As VTK's shaders without a light. The chapter's models keep to their equations.
+void drawUnlit(std::vector<Instance>& instances)
+{
+  for (Instance& instance : instances)
+  {
+    if (instance.style.reflection == Reflection::kAsVtk)
+    {
+      instance.style.reflection = Reflection::kNone;
+    }
+  }
+}
+
 } // namespace
 
 SurfacePass& passOf(vtkRenderer* renderer)
@@ -178,10 +190,14 @@ void SurfacePass::draw(const Surface& surface)
 void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
 {
   const Clock::time_point start = Clock::now();
-  const Drawables drawables = describeAll(surfaces);
+  Drawables drawables = describeAll(surfaces);
   if (drawables.instances.empty())
   {
     return;
+  }
+  if (isUnlit(renderer_))
+  {
+    drawUnlit(drawables.instances);
   }
   const std::vector<Light> lights = lightsOf(renderer_);
   Scene scene;
