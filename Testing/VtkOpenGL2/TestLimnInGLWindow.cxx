@@ -12,16 +12,26 @@
 #include "vtkLimnRenderWindow.h"
 
 #include "vtkCallbackCommand.h"
+#include "vtkCameraPass.h"
 #include "vtkCellPicker.h"
 #include "vtkConeSource.h"
 #include "vtkElevationFilter.h"
+#include "vtkLight.h"
 #include "vtkPointDataToCellData.h"
+#include "vtkRenderPassCollection.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindowInteractor.h"
+#include "vtkSSAAPass.h"
+#include "vtkSSAOPass.h"
+#include "vtkSequencePass.h"
+#include "vtkShadowMapBakerPass.h"
+#include "vtkShadowMapPass.h"
 #include "vtkSphereSource.h"
 #include "vtkTrivialProducer.h"
 
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 #include <tuple>
 
@@ -247,6 +257,87 @@ INSTANTIATE_TEST_SUITE_P(LooksThatLimnLeavesToVtk, FallbackTest,
     return std::string(std::get<0>(test.param).Name) + "With" +
            std::to_string(std::get<1>(test.param)) + "Samples";
   });
+
+struct Passes
+{
+  const char* Name;
+  void (*SetUp)(vtkRenderer*);
+};
+
+std::ostream& operator<<(std::ostream& os, const Passes& passes)
+{
+  return os << passes.Name;
+}
+
+const Passes AllPasses[] = {
+  { "SSAA",
+    [](vtkRenderer* renderer)
+    {
+      vtkNew<vtkRenderStepsPass> steps;
+      vtkNew<vtkSSAAPass> pass;
+      pass->SetDelegatePass(steps);
+      renderer->SetPass(pass);
+    } },
+  { "SSAO",
+    [](vtkRenderer* renderer)
+    {
+      vtkNew<vtkRenderStepsPass> steps;
+      vtkNew<vtkSSAOPass> pass;
+      pass->SetRadius(0.3);
+      pass->SetDelegatePass(steps);
+      renderer->SetPass(pass);
+    } },
+  { "ShadowMap",
+    [](vtkRenderer* renderer)
+    {
+      vtkNew<vtkShadowMapPass> shadows;
+      vtkNew<vtkRenderPassCollection> passes;
+      passes->AddItem(shadows->GetShadowMapBakerPass());
+      passes->AddItem(shadows);
+      vtkNew<vtkSequencePass> sequence;
+      sequence->SetPasses(passes);
+      vtkNew<vtkCameraPass> camera;
+      camera->SetDelegatePass(sequence);
+      renderer->SetPass(camera);
+    } },
+  { "UseSSAO",
+    [](vtkRenderer* renderer)
+    {
+      renderer->UseSSAOOn();
+      renderer->SetSSAORadius(0.3);
+    } },
+  { "UseShadows", [](vtkRenderer* renderer) { renderer->UseShadowsOn(); } },
+};
+
+class PassTest : public testing::TestWithParam<Passes>
+{
+};
+
+// Render passes reach into the shaders of VTK's own mapper, which therefore draws: the same bytes.
+TEST_P(PassTest, EqualsVtkByteForByte)
+{
+  Picture pictures[3];
+  for (int limn = 0; limn < 2; ++limn)
+  {
+    GLScene scene(0);
+    MakeActor make = limn ? MakeLimnActor : MakeGLActor;
+    scene.Renderer->AddActor(MakeWall(make));
+    scene.Renderer->AddActor(MakeSphere(make));
+    vtkNew<vtkLight> light;
+    light->SetPosition(1.0, 1.0, 3.0);
+    light->SetFocalPoint(0.0, 0.0, 0.0);
+    light->PositionalOn();
+    light->SetConeAngle(30.0);
+    scene.Renderer->AddLight(light);
+    pictures[2] = scene.Render();
+    GetParam().SetUp(scene.Renderer);
+    pictures[limn] = scene.Render();
+  }
+  EXPECT_GT(CountDifferent(pictures[0], pictures[2]), 50) << "the pass shows";
+  EXPECT_EQ(CountDifferent(pictures[0], pictures[1]), 0);
+}
+INSTANTIATE_TEST_SUITE_P(All, PassTest, testing::ValuesIn(AllPasses),
+  [](const auto& test) { return std::string(test.param.Name); });
 
 // From Limn to VTK and back while the window lives.
 TEST(LimnInGLWindow, ChangesBetweenLimnAndFallback)

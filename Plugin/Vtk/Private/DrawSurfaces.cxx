@@ -54,6 +54,12 @@ void warnOfMissing(vtkRenderer* renderer, vtkActor* actor, const std::vector<Mis
   }
 }
 
+/// Such passes work on the shaders of OpenGL's mapper, into targets of their own.
+bool hasRenderPasses(vtkRenderer* renderer)
+{
+  return renderer->GetPass() || renderer->GetUseSSAO() || renderer->GetUseShadows();
+}
+
 void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface)
 {
   if (renderer->GetSelector())
@@ -97,7 +103,8 @@ void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* 
   {
     drawInLimnWindow(renderer, surface);
   }
-  else if (renderer->GetSelector() || !whatIsMissing(actor, mapper).empty())
+  else if (renderer->GetSelector() || hasRenderPasses(renderer) ||
+           !whatIsMissing(actor, mapper).empty())
   {
     if (compositor())
     {
