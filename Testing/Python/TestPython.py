@@ -5,6 +5,7 @@
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
 SCENE = """
@@ -95,6 +96,22 @@ from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 print(vtkSmartVolumeMapper().GetClassName())
 """, ["DISPLAY"], LIMN_WINDOW="cpu")
         self.assertEqual(line, "vtkSmartVolumeMapper")
+
+    def test_vector_graphics_without_display(self):
+        """VTK's exporter finds no vectors in our window and embeds the picture."""
+        with tempfile.TemporaryDirectory() as folder:
+            run("import limn\n" + SCENE + f"""
+import vtkmodules.vtkRenderingGL2PSOpenGL2
+from vtkmodules.vtkIOExportGL2PS import vtkGL2PSExporter
+exporter = vtkGL2PSExporter()
+exporter.SetRenderWindow(window)
+exporter.SetFilePrefix("{folder}/cone")
+exporter.SetFileFormatToEPS()
+exporter.CompressOff()
+exporter.Write()
+""", ["DISPLAY"], LIMN_WINDOW="cpu")
+            with open(f"{folder}/cone.eps", encoding="latin-1") as page:
+                self.assertIn("64 64 8", page.read())
 
     def test_polygon_of_no_points(self):
         scene = SCENE.replace("actor.SetMapper(mapper)", """

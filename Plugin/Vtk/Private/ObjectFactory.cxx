@@ -140,11 +140,18 @@ bool NeedsDisplay(vtkObjectFactory* factory)
          (name.find("OpenGL2") != std::string::npos && name.rfind("vtkLimn", 0) != 0);
 }
 
-// One window of ours with one prop of OpenGL's would end the program. The list of GPUs draws
-// nothing, and volume mappers cannot be made without it.
+// They draw nothing. Volume mappers cannot be made without the list of GPUs, and the exporter of
+// vector graphics, which then holds our picture, not without its helper.
+bool NeedsNoContext(const char* className)
+{
+  return std::strcmp(className, "vtkGPUInfoList") == 0 ||
+         std::strcmp(className, "vtkOpenGLGL2PSHelper") == 0;
+}
+
+// One window of ours with one prop of OpenGL's would end the program.
 void SwitchOff(vtkObjectFactory* factory, const char* className)
 {
-  if (factory->HasOverride(className) && std::strcmp(className, "vtkGPUInfoList") != 0)
+  if (factory->HasOverride(className) && !NeedsNoContext(className))
   {
     factory->Disable(className);
   }
