@@ -24,7 +24,16 @@ void vtkLimnRenderWindowInteractor::Initialize()
   this->Size[0] = size[0];
   this->Size[1] = size[1];
   this->Enable();
-  this->Render();
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnRenderWindowInteractor::StartEventLoop()
+{
+  // As a window on a screen when it is first shown.
+  if (this->RenderWindow->GetNeverRendered())
+  {
+    this->Render();
+  }
 }
 
 //------------------------------------------------------------------------------

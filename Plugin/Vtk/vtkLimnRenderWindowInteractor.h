@@ -6,7 +6,7 @@
  *
  * Lets programs that were written for a window on a screen run without one. Events may be sent to
  * it (InvokeEvent() and the recorder of events work); none come by themselves. Start() therefore
- * renders and returns.
+ * renders, unless the program has, and returns.
  *
  * @sa
  * vtkLimnRenderWindow
@@ -25,6 +25,9 @@ public:
   vtkTypeMacro(vtkLimnRenderWindowInteractor, vtkRenderWindowInteractor);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Renders nothing, as VTK's interactors on a screen: the first camera is the program's to set.
+   */
   void Initialize() override;
   void TerminateApp() override { this->Done = true; }
 
@@ -35,7 +38,7 @@ protected:
   /**
    * Returns at once: there is nothing to wait for.
    */
-  void StartEventLoop() override {}
+  void StartEventLoop() override;
 
 private:
   vtkLimnRenderWindowInteractor(const vtkLimnRenderWindowInteractor&) = delete;

@@ -217,8 +217,11 @@ void checkInteractor()
   vtkNew<vtkLimnRenderWindowInteractor> interactor;
   interactor->SetRenderWindow(stage.Window);
   stage.Mapper->SetInputData(twoSquares());
-  interactor->Start();
+  interactor->Initialize();
   CHECK(interactor->GetInitialized());
+  CHECK_EQUAL(stage.Renderer->GetActiveCamera()->GetPosition()[2], 1);
+  stage.Renderer->ResetCamera();
+  interactor->Start();
   CHECK_EQUAL(interactor->GetSize()[0], 100);
   CHECK_EQUAL(read(stage.Window).CountOtherThan({ 0, 0, 0 }) > 0, true);
 
