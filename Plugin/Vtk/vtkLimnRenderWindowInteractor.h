@@ -5,8 +5,9 @@
  * @brief   an interactor without a display
  *
  * Lets programs that were written for a window on a screen run without one. Events may be sent to
- * it (InvokeEvent() and the recorder of events work); none come by themselves. Start() therefore
- * renders, unless the program has, and returns.
+ * it (InvokeEvent() and the recorder of events work); of themselves only those of timers come.
+ * Start() renders, unless the program has, and serves timers until TerminateApp() is called or none
+ * is left; without timers it returns at once.
  *
  * @sa
  * vtkLimnRenderWindow
@@ -17,6 +18,8 @@
 
 #include "vtkLimnModule.h" // for export macro
 #include "vtkRenderWindowInteractor.h"
+
+#include <memory> // for std::unique_ptr
 
 class VTKLIMN_EXPORT vtkLimnRenderWindowInteractor : public vtkRenderWindowInteractor
 {
@@ -32,17 +35,25 @@ public:
   void TerminateApp() override { this->Done = true; }
 
 protected:
-  vtkLimnRenderWindowInteractor() = default;
-  ~vtkLimnRenderWindowInteractor() override = default;
+  vtkLimnRenderWindowInteractor();
+  ~vtkLimnRenderWindowInteractor() override;
 
-  /**
-   * Returns at once: there is nothing to wait for.
-   */
   void StartEventLoop() override;
+
+  ///@{
+  /**
+   * `duration` is in milliseconds.
+   */
+  int InternalCreateTimer(int timerId, int timerType, unsigned long duration) override;
+  int InternalDestroyTimer(int platformTimerId) override;
+  ///@}
 
 private:
   vtkLimnRenderWindowInteractor(const vtkLimnRenderWindowInteractor&) = delete;
   void operator=(const vtkLimnRenderWindowInteractor&) = delete;
+
+  class vtkTimers;
+  std::unique_ptr<vtkTimers> Timers;
 };
 
 #endif

@@ -18,9 +18,11 @@
 #include "vtkSphereSource.h"
 #include "vtkWindowToImageFilter.h"
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -230,6 +232,54 @@ void checkInteractor()
   CHECK_EQUAL(std::string(made->GetClassName()), "vtkLimnRenderWindowInteractor");
 }
 
+/// Which timers came, in turn; ends the loop at the last one it waits for.
+struct TimerLog
+{
+  vtkRenderWindowInteractor* Interactor;
+  std::vector<int> Ids;
+  std::size_t Enough;
+
+  void Note(vtkObject*, unsigned long, void* timerId)
+  {
+    this->Ids.push_back(*static_cast<int*>(timerId));
+    if (this->Ids.size() == this->Enough)
+    {
+      this->Interactor->TerminateApp();
+    }
+  }
+};
+
+void checkTimers()
+{
+  Stage stage;
+  vtkNew<vtkLimnRenderWindowInteractor> interactor;
+  interactor->SetRenderWindow(stage.Window);
+  interactor->Initialize();
+  TimerLog log{ interactor, {}, 4 };
+  interactor->AddObserver(vtkCommand::TimerEvent, &log, &TimerLog::Note);
+  const int repeating = interactor->CreateRepeatingTimer(20);
+  const int once = interactor->CreateOneShotTimer(30);
+  const int never = interactor->CreateOneShotTimer(1);
+  CHECK(repeating > 0 && once > 0 && never > 0);
+  CHECK_EQUAL(interactor->DestroyTimer(never), 1);
+  interactor->Start();
+  CHECK_EQUAL(log.Ids.size(), 4u);
+  CHECK_EQUAL(std::count(log.Ids.begin(), log.Ids.end(), repeating), 3);
+  CHECK_EQUAL(std::count(log.Ids.begin(), log.Ids.end(), once), 1);
+
+  // It goes on where it was stopped, and ends by itself when no timer is left.
+  log.Enough = 6;
+  interactor->Start();
+  CHECK_EQUAL(log.Ids.size(), 6u);
+  interactor->DestroyTimer(repeating);
+  interactor->Start();
+  CHECK_EQUAL(log.Ids.size(), 6u);
+  interactor->ResetTimer(once);
+  interactor->Start();
+  CHECK_EQUAL(log.Ids.size(), 7u);
+  CHECK_EQUAL(log.Ids.back(), once);
+}
+
 void checkImageFile(const char* file)
 {
   Stage stage;
@@ -337,6 +387,7 @@ int TestLimnWindow(int argc, char* argv[])
   checkNearPlane();
   checkQuestions();
   checkInteractor();
+  checkTimers();
   checkImageFile(argc > 1 ? argv[1] : "TestLimnWindow.png");
   checkTiles();
   checkStereo();
