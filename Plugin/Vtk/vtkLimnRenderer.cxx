@@ -167,9 +167,8 @@ void vtkLimnRenderer::DropPropsThatAreNotDrawn()
       else if (BelongsToOpenGL(prop))
       {
         this->WarnOnce(std::string("A ") + prop->GetClassName() +
-                       " is not drawn: it needs an OpenGL window. Use vtkLimnActor, or set "
-                       "LIMN_WINDOW=cpu, so that "
-                       "vtkActor::New() makes one.");
+                       " is not drawn: it needs an OpenGL window. Use vtkLimnActor here; with "
+                       "LIMN_WINDOW=cpu vtkActor::New() makes one.");
       }
       return !kind && !BelongsToOpenGL(prop);
     });

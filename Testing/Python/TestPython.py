@@ -113,6 +113,28 @@ exporter.Write()
             with open(f"{folder}/cone.eps", encoding="latin-1") as page:
                 self.assertIn("64 64 8", page.read())
 
+    def test_mappers_that_need_opengl(self):
+        """Each is named once, with advice that fits a window without OpenGL."""
+        *_, glyphs, splats, spheres, advice = run("import limn\n" + SCENE + """
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkRenderingCore import vtkGlyph3DMapper, vtkPointGaussianMapper
+from vtkmodules.vtkRenderingOpenGL2 import vtkOpenGLSphereMapper
+messages = vtkStringOutputWindow()
+vtkOutputWindow.SetInstance(messages)
+mappers = (vtkGlyph3DMapper(), vtkPointGaussianMapper(), vtkOpenGLSphereMapper())
+for one in mappers:
+    one.SetInputConnection(cone.GetOutputPort())
+    other = vtkActor()
+    other.SetMapper(one)
+    renderer.AddActor(other)
+window.Render()
+window.Render()
+for one in mappers:
+    print(messages.GetOutput().count(f"A {one.GetClassName()} draws in OpenGL windows only"))
+print("LIMN_WINDOW=gl" in messages.GetOutput(), "LIMN_WINDOW=cpu" in messages.GetOutput())
+""", ["DISPLAY"], LIMN_WINDOW="cpu")
+        self.assertEqual([glyphs, splats, spheres, advice], ["1", "1", "1", "True False"])
+
     def test_polygon_of_no_points(self):
         scene = SCENE.replace("actor.SetMapper(mapper)", """
 from vtkmodules.vtkCommonCore import vtkIdList

@@ -9,6 +9,7 @@
 #include "vtkMapper.h"
 #include "vtkRenderer.h"
 
+#include <cstring>
 #include <set>
 #include <string>
 
@@ -20,11 +21,21 @@ namespace
 // Never deleted: it outlives every window that a program may leave open until it ends.
 vtkLimnCompositor* theCompositor = nullptr;
 
-/// Whether only OpenGL's mapper draws it; VTK's glyph mapper is abstract in all but name.
+/// Whether only OpenGL's mapper draws it; VTK's mappers of glyphs and splats are abstract in all
+/// but name.
 bool belongsToOpenGL(vtkMapper* mapper)
 {
   return mapper->IsA("vtkOpenGLPolyDataMapper") || mapper->IsA("vtkGlyph3DMapper") ||
+         mapper->IsA("vtkPointGaussianMapper") ||
          std::string(mapper->GetClassName()).rfind("vtkOpenGL", 0) == 0;
+}
+
+std::string adviceFor(vtkMapper* mapper)
+{
+  const bool hasCounterpart = std::strcmp(mapper->GetClassName(), "vtkOpenGLPolyDataMapper") == 0;
+  return hasCounterpart ? "Use vtkLimnPolyDataMapper here; with LIMN_WINDOW=cpu "
+                          "vtkPolyDataMapper::New() makes one."
+                        : "Use an OpenGL window (LIMN_WINDOW=gl) for it.";
 }
 
 } // namespace
@@ -52,10 +63,8 @@ void renderMapper(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
     static std::set<std::string> reported;
     if (reported.insert(mapper->GetClassName()).second)
     {
-      vtkErrorWithObjectMacro(
-        actor, "A " << mapper->GetClassName()
-                    << " draws in OpenGL windows only; use vtkLimnPolyDataMapper here, or set "
-                       "LIMN_WINDOW=cpu, so that vtkPolyDataMapper::New() makes one.");
+      vtkErrorWithObjectMacro(actor,
+        "A " << mapper->GetClassName() << " draws in OpenGL windows only. " << adviceFor(mapper));
     }
     return;
   }
