@@ -36,6 +36,20 @@ const Kind KindsNotDrawn[] = {
   { "vtkBillboardTextActor3D", "text in space" },
   { "vtkSkybox", "skyboxes" },
   { "vtkVolume", "volumes" },
+  { "vtkLegendScaleActor", "2D props" },
+  { "vtkAffineRepresentation2D", "2D widgets" },
+  { "vtkAngleRepresentation2D", "2D widgets" },
+  { "vtkBalloonRepresentation", "2D widgets" },
+  { "vtkBiDimensionalRepresentation2D", "2D widgets" },
+  { "vtkBorderRepresentation", "2D widgets" },
+  { "vtkCenteredSliderRepresentation", "2D widgets" },
+  { "vtkCompassRepresentation", "2D widgets" },
+  { "vtkDistanceRepresentation2D", "2D widgets" },
+  { "vtkMagnifierRepresentation", "2D widgets" },
+  { "vtkPointHandleRepresentation2D", "2D widgets" },
+  { "vtkRectilinearWipeRepresentation", "2D widgets" },
+  { "vtkSliderRepresentation2D", "2D widgets" },
+  { "vtkTexturedButtonRepresentation2D", "2D widgets" },
 };
 
 const Kind* FindKindNotDrawn(vtkProp* prop)

@@ -135,6 +135,20 @@ print("LIMN_WINDOW=gl" in messages.GetOutput(), "LIMN_WINDOW=cpu" in messages.Ge
 """, ["DISPLAY"], LIMN_WINDOW="cpu")
         self.assertEqual([glyphs, splats, spheres, advice], ["1", "1", "1", "True False"])
 
+    def test_widgets_without_display(self):
+        *_, border, distance = run("import limn\n" + SCENE + """
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+from vtkmodules.vtkInteractionWidgets import vtkBorderRepresentation, vtkDistanceRepresentation2D
+messages = vtkStringOutputWindow()
+vtkOutputWindow.SetInstance(messages)
+for one in (vtkBorderRepresentation(), vtkDistanceRepresentation2D()):
+    renderer.AddViewProp(one)
+    window.Render()
+    window.Render()
+    print(messages.GetOutput().count(f"A {one.GetClassName()} is not drawn"))
+""", ["DISPLAY"], LIMN_WINDOW="cpu")
+        self.assertEqual([border, distance], ["1", "1"])
+
     def test_polygon_of_no_points(self):
         scene = SCENE.replace("actor.SetMapper(mapper)", """
 from vtkmodules.vtkCommonCore import vtkIdList
