@@ -31,8 +31,7 @@ int vtkLimnActor::RenderOpaqueGeometry(vtkViewport* viewport)
     return this->Superclass::RenderOpaqueGeometry(viewport);
   }
   vtkRenderer* renderer = static_cast<vtkRenderer*>(viewport);
-  const bool selecting = renderer->GetSelector() && this->GetProperty()->GetOpacity() > 0.0;
-  if (!this->Mapper || !(this->HasOpaqueGeometry() || selecting))
+  if (!this->Mapper || !this->HasOpaqueGeometry())
   {
     return 0;
   }

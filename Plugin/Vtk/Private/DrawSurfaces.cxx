@@ -62,20 +62,23 @@ bool hasRenderPasses(vtkRenderer* renderer)
 
 void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface)
 {
-  if (renderer->GetSelector())
+  const std::vector<Missing> missing = whatIsMissing(surface.actor, surface.mapper);
+  const bool isDrawn = std::all_of(
+    missing.begin(), missing.end(), [](const Missing& one) { return one.surfaceIsDrawn; });
+  if (!renderer->GetSelector())
   {
-    if (auto* selector = vtkLimnHardwareSelector::SafeDownCast(renderer->GetSelector()))
+    warnOfMissing(renderer, surface.actor, missing);
+    if (isDrawn)
     {
-      selector->AddSurface(surface.actor, surface.mapper);
+      passOf(renderer).draw(surface);
     }
     return;
   }
-  const std::vector<Missing> missing = whatIsMissing(surface.actor, surface.mapper);
-  warnOfMissing(renderer, surface.actor, missing);
-  if (std::all_of(
-        missing.begin(), missing.end(), [](const Missing& one) { return one.surfaceIsDrawn; }))
+  // VTK's actors render for a selection even where they are translucent.
+  auto* const selector = vtkLimnHardwareSelector::SafeDownCast(renderer->GetSelector());
+  if (selector && isDrawn && surface.actor->HasOpaqueGeometry())
   {
-    passOf(renderer).draw(surface);
+    selector->AddSurface(surface.actor, surface.mapper);
   }
 }
 
