@@ -31,6 +31,12 @@ struct Case
 const Case Cases[] = {
   { "translucent surfaces", false,
     [](Stage& stage) { stage.Actor->GetProperty()->SetOpacity(0.5); } },
+  { "blending in the opaque pass", true,
+    [](Stage& stage)
+    {
+      stage.Actor->ForceOpaqueOn();
+      stage.Actor->GetProperty()->SetOpacity(0.5);
+    } },
   { "wireframes", false,
     [](Stage& stage) { stage.Actor->GetProperty()->SetRepresentationToWireframe(); } },
   { "surfaces as points", false,

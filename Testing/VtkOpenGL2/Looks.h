@@ -185,5 +185,11 @@ inline const Look Looks[] = {
       actor->GetMapper()->AddClippingPlane(plane);
       actor->GetProperty()->EdgeVisibilityOn();
     } },
+  { "ForcedOpaque",
+    [](vtkActor* actor)
+    {
+      actor->ForceOpaqueOn();
+      actor->GetProperty()->SetOpacity(0.3);
+    } },
   { "ForcedTranslucent", [](vtkActor* actor) { actor->ForceTranslucentOn(); } },
 };

@@ -48,6 +48,13 @@ bool hasShaderCode(vtkActor* actor)
            shaders->HasFragmentShaderCode() || shaders->HasGeometryShaderCode());
 }
 
+/// VTK blends by opacity in the opaque pass, too.
+bool isForcedOpaque(vtkActor* actor, vtkLimnPolyDataMapper* mapper)
+{
+  return actor->GetForceOpaque() &&
+         (actor->GetProperty()->GetOpacity() < 1 || !mapper->HasOpaqueGeometry());
+}
+
 bool hasTexture(vtkActor* actor)
 {
   return actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0;
@@ -68,6 +75,7 @@ std::vector<Missing> whatIsMissing(vtkActor* actor, vtkLimnPolyDataMapper* mappe
     bool surfaceIsDrawn;
   } features[] = {
     { actor->IsRenderingTranslucentPolygonalGeometry(), "translucent surfaces", false },
+    { isForcedOpaque(actor, mapper), "blending in the opaque pass", true },
     { property->GetRepresentation() == VTK_WIREFRAME, "wireframes", false },
     { property->GetRepresentation() == VTK_POINTS, "surfaces as points", false },
     { hasPlanes, "clipping planes", false },
