@@ -161,6 +161,25 @@ void checkBrokenActor()
   CHECK_EQUAL(messages.Count("vtkLimnActor"), 1);
 }
 
+void checkBrokenProperty()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(twoSquares());
+  vtkNew<vtkLimnActor> broken;
+  broken->SetMapper(stage.Mapper);
+  stage.Renderer->AddActor(broken);
+  for (double value : { -0.5, std::numeric_limits<double>::quiet_NaN() })
+  {
+    broken->GetProperty()->SetSpecularColor(1, value, 1);
+    Messages messages;
+    CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 800);
+    CHECK_EQUAL(messages.Count("vtkLimnActor"), 1);
+    CHECK_EQUAL(messages.Count("SpecularColor of its vtkLimnProperty has the value"), 1);
+    CHECK_EQUAL(messages.Count("Instance"), 0);
+  }
+}
+
 void checkMissingInput()
 {
   Stage stage;
@@ -192,6 +211,7 @@ int TestLimnWarnings(int, char*[])
   checkOtherProps();
   checkBrokenMeshes();
   checkBrokenActor();
+  checkBrokenProperty();
   checkMissingInput();
   checkBrokenLight();
   return result();

@@ -4,6 +4,9 @@
 
 #include "vtkLimnProperty.h"
 
+#include <cmath>
+#include <sstream>
+
 namespace limn::bridge
 {
 namespace
@@ -102,6 +105,41 @@ Material materialOf(vtkProperty* property)
   material.specular = static_cast<float>(property->GetSpecular());
   material.specularPower = static_cast<float>(property->GetSpecularPower());
   return material;
+}
+
+std::string unusableValueOf(vtkProperty* property)
+{
+  const double ambient = property->GetAmbient();
+  const double diffuse = property->GetDiffuse();
+  const double specular = property->GetSpecular();
+  const double power = property->GetSpecularPower();
+  const struct
+  {
+    const char* name;
+    Span<const double> values;
+  } all[] = {
+    { "AmbientColor", { property->GetAmbientColor(), 3 } },
+    { "DiffuseColor", { property->GetDiffuseColor(), 3 } },
+    { "SpecularColor", { property->GetSpecularColor(), 3 } },
+    { "Ambient", { &ambient, 1 } },
+    { "Diffuse", { &diffuse, 1 } },
+    { "Specular", { &specular, 1 } },
+    { "SpecularPower", { &power, 1 } },
+  };
+  for (const auto& one : all)
+  {
+    for (const double value : one.values)
+    {
+      if (!std::isfinite(value) || value < 0)
+      {
+        std::ostringstream text;
+        text << one.name << " of its " << property->GetClassName() << " has the value " << value
+             << "; it has to be a finite number, not negative.";
+        return text.str();
+      }
+    }
+  }
+  return {};
 }
 
 Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)

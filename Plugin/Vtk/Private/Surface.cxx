@@ -171,6 +171,11 @@ bool describe(const Surface& surface, Instance& instance)
   }
   const RenderOptions& options = EngineState::instance().options;
   vtkProperty* const property = surface.actor->GetProperty();
+  if (const std::string unusable = unusableValueOf(property); !unusable.empty())
+  {
+    vtkErrorWithObjectMacro(surface.actor, "Not drawn: " << unusable);
+    return false;
+  }
   SurfaceMesh& mesh = surface.mapper->GetInternals().Mesh;
   SurfaceNeeds needs = needsOf(property);
   needs.triangles = options.backend == Backend::kReference;
