@@ -61,6 +61,20 @@ void requireColoringArray(const ColoringSettings& coloring)
   }
 }
 
+/// For a picture alone: in a window keys choose tone and outline.
+void checkIllustration(const MaterialSettings& material)
+{
+  if (material.tone == Tone::None && (material.cool || material.warm))
+  {
+    throw UserError(std::string(material.cool ? "--cool" : "--warm") +
+                    " needs a tone; add --tone=gooch or --tone=gooch-chapter");
+  }
+  if (material.outline == Outline::None && material.outlineColor)
+  {
+    throw UserError("--outline-color needs --outline=normal");
+  }
+}
+
 void checkCamera(const CameraSettings& camera)
 {
   if (camera.parallelScale && !camera.orthographic)
@@ -124,6 +138,7 @@ Request parseRender(const Arguments& arguments)
     return HelpRequest{ options.help() };
   }
   checkScene(scene, "render");
+  checkIllustration(scene.material);
   checkOutput(settings.output);
   if (background && settings.transparentBackground)
   {

@@ -95,7 +95,7 @@ void setIllustration(const MaterialSettings& material, vtkLimnProperty& property
   }
   property.SetOutline(material.outline == Outline::Normal ? vtkLimnProperty::OUTLINE_NORMAL
                                                           : vtkLimnProperty::OUTLINE_NONE);
-  property.SetOutlineColor(material.outlineColor.data());
+  property.SetOutlineColor(material.outlineColor.value_or(Color{ 0, 0, 0 }).data());
 }
 
 vtkSmartPointer<vtkLight> makeLight(const LightSettings& settings)

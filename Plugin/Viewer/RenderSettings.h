@@ -87,7 +87,7 @@ struct MaterialSettings
   Reflection reflection = Reflection::BlinnPhong;
   Tone tone = Tone::None;
   Outline outline = Outline::None;
-  Color outlineColor = { 0, 0, 0 };
+  std::optional<Color> outlineColor; ///< black if not given
   bool backfaceCulling = false;
 };
 

@@ -274,6 +274,11 @@ TEST(Arguments, OutputMustBePng)
 TEST(Arguments, OptionsThatNeedOrExcludeEachOther)
 {
   EXPECT_NE(renderErrorOf({ "--colormap=viridis" }).find("--coloring-array"), std::string::npos);
+  EXPECT_NE(renderErrorOf({ "--cool=0,0,1" }).find("--cool needs a tone"), std::string::npos);
+  EXPECT_NE(renderErrorOf({ "--warm=1,1,0", "--tone=none" }).find("--warm needs a tone"),
+    std::string::npos);
+  EXPECT_EQ(renderErrorOf({ "--outline-color=1,0,0" }), "--outline-color needs --outline=normal");
+  EXPECT_EQ(errorOf({ "view", "a.obj", "--cool=0,0,1", "--outline-color=1,0,0" }), "");
   EXPECT_NE(renderErrorOf({ "--coloring-range=0,1" }).find("--coloring-array"), std::string::npos);
   EXPECT_NE(renderErrorOf({ "--camera-parallel-scale=1" }).find("--camera-orthographic"),
     std::string::npos);
