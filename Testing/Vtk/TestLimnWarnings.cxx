@@ -15,6 +15,8 @@
 #include "vtkTextActor.h"
 #include "vtkTexture.h"
 
+#include <array>
+#include <initializer_list>
 #include <limits>
 
 namespace
@@ -143,6 +145,37 @@ void checkBrokenMeshes()
   CHECK_EQUAL(messages.Count("Not all of the input is drawn"), 2);
 }
 
+// Single faces without an area are common and not worth a word; nothing but such faces is.
+void checkFlattenedMeshes()
+{
+  using Corners = std::initializer_list<std::array<double, 2>>;
+  for (const Corners& corners : { Corners{ { 10, 10 }, { 30, 10 }, { 50, 10 } },
+         Corners{ { 10, 10 }, { 30, 10 }, { 30, 10 } } })
+  {
+    Stage stage;
+    stage.LookFlat();
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(flatPoints(corners));
+    vtkNew<vtkCellArray> polys;
+    addCell(polys, { 0, 1, 2 });
+    data->SetPolys(polys);
+    stage.Mapper->SetInputData(data);
+    Messages messages;
+    CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 0);
+    stage.Renderer->GetActiveCamera()->Zoom(0.9);
+    render(stage.Window);
+    CHECK_EQUAL(messages.Count("None of its faces has an area"), 1);
+
+    messages.Forget();
+    data->GetPoints()->InsertNextPoint(30, 30, 0);
+    addCell(polys, { 0, 1, 3 });
+    data->GetPoints()->Modified();
+    polys->Modified();
+    CHECK(render(stage.Window).CountOtherThan(Black) > 0);
+    CHECK_EQUAL(messages.GetText(), "");
+  }
+}
+
 // One actor's fault does not take the others from the picture.
 void checkBrokenActor()
 {
@@ -210,6 +243,7 @@ int TestLimnWarnings(int, char*[])
   checkFeatures();
   checkOtherProps();
   checkBrokenMeshes();
+  checkFlattenedMeshes();
   checkBrokenActor();
   checkBrokenProperty();
   checkMissingInput();

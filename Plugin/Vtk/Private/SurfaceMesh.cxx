@@ -33,6 +33,18 @@ Span<const Rgba8> colorsOf(vtkUnsignedCharArray* colors)
     static_cast<std::size_t>(colors->GetNumberOfTuples()) };
 }
 
+bool hasArea(const MeshView& mesh, const Triangle& triangle)
+{
+  const auto [a, b, c] = triangle.vertex;
+  const std::size_t vertices = mesh.vertexCount();
+  if (a >= vertices || b >= vertices || c >= vertices)
+  {
+    return false;
+  }
+  const Vec3d origin = mesh.position(a);
+  return !(cross(mesh.position(b) - origin, mesh.position(c) - origin) == Vec3d{ 0, 0, 0 });
+}
+
 } // namespace
 
 SurfaceMesh::Version SurfaceMesh::versionOf(vtkPolyData* data)
@@ -94,6 +106,10 @@ Status SurfaceMesh::rebuild(vtkPolyData* data, int threads)
   points_.set(data->GetPoints()->GetData());
   surface_ = trianglesFromPolyData(data, points_.view(), threads);
   cellCount_ = static_cast<std::size_t>(data->GetNumberOfCells());
+  const MeshView mesh = this->view();
+  isFlattened_ = data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0 &&
+                 std::none_of(surface_.triangles.begin(), surface_.triangles.end(),
+                   [&mesh](const Triangle& triangle) { return hasArea(mesh, triangle); });
   clusters_ = {};
   return buildClusters(this->view(), threads, clusters_);
 }
@@ -153,6 +169,10 @@ std::string SurfaceMesh::complaint() const
   if (surface_.malformedCells > 0)
   {
     text << " " << surface_.malformedCells << " cells reach beyond the cell array.";
+  }
+  if (isFlattened_ && text.str().empty())
+  {
+    text << " None of its faces has an area: the corners of each lie on a line or in a point.";
   }
   return text.str();
 }

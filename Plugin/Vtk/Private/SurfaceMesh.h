@@ -75,6 +75,7 @@ private:
   ClusteredMesh clusters_;
   Status buildStatus_;
   std::size_t cellCount_ = 0;
+  bool isFlattened_ = false; ///< has faces, but none with an area
   vtkIdType geometryBuilds_ = 0;
 
   VectorArray pointNormals_;
