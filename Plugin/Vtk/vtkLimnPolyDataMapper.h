@@ -38,7 +38,7 @@ public:
 
   /**
    * How often the geometry has been prepared since this mapper was made: a figure that stays the
-   * same while only cameras, properties, scalars or lookup tables change.
+   * same while only cameras, properties, scalars or lookup tables change, or points move a little.
    */
   vtkIdType GetNumberOfGeometryBuilds();
 

@@ -241,7 +241,23 @@ void allocateTriangles(ClusteredMesh& clusters)
   allocate(clusters.triangleCount, kMaxClusterTriangles, clusters.triangle);
 }
 
-void allocateVertices(const std::vector<Run>& runs, bool mayHaveLowParts, ClusteredMesh& clusters)
+void allocateLowParts(ClusteredMesh& clusters)
+{
+  for (Array<float>* positions : {&clusters.xLow, &clusters.yLow, &clusters.zLow})
+    allocate(clusters.vertexCount, kMaxClusterVertices, *positions);
+}
+void dropLowParts(ClusteredMesh& clusters)
+{
+  for (Array<float>* positions : {&clusters.xLow, &clusters.yLow, &clusters.zLow})
+    Array<float>().swap(*positions);
+}
+/// Whether no vertex can need a low part.
+bool isFloatAtZero(const MeshView& mesh, Vec3d origin)
+{
+  return !mesh.positions.empty() && origin == Vec3d{0, 0, 0};
+}
+
+void allocateVertices(const std::vector<Run>& runs, ClusteredMesh& clusters)
 {
   std::size_t clusterCount = 0;
   for (const Run& run : runs) {
@@ -251,9 +267,6 @@ void allocateVertices(const std::vector<Run>& runs, bool mayHaveLowParts, Cluste
   clusters.clusters.resize(clusterCount);
   for (Array<float>* positions : {&clusters.x, &clusters.y, &clusters.z})
     allocate(clusters.vertexCount, kMaxClusterVertices, *positions);
-  if (mayHaveLowParts)
-    for (Array<float>* positions : {&clusters.xLow, &clusters.yLow, &clusters.zLow})
-      allocate(clusters.vertexCount, kMaxClusterVertices, *positions);
   allocate(clusters.vertexCount, kMaxClusterVertices, clusters.vertex);
 }
 
@@ -298,16 +311,34 @@ bool copyRun(const MeshView& mesh, const Run& run, Place to, ClusteredMesh& clus
   return anyLow;
 }
 
-void uniteBoxes(ClusteredMesh& clusters)
+double extentOf(Vec3f low, Vec3f high)
+{
+  const Vec3d size = vec3Cast<double>(high) - vec3Cast<double>(low);
+  return size.x + size.y + size.z;
+}
+
+/// Fills the mesh's box. Returns the mean extent of the clusters, the mesh's being 1.
+double uniteBoxes(ClusteredMesh& clusters)
 {
   Box box;
+  double sum = 0;
   for (const Cluster& cluster : clusters.clusters) {
     box.add(vec3Cast<double>(cluster.low));
     box.add(vec3Cast<double>(cluster.high));
+    sum += extentOf(cluster.low, cluster.high);
   }
-  if (box.empty()) return;
+  if (box.empty()) return 0;
   clusters.low = vec3Cast<float>(box.low);
   clusters.high = vec3Cast<float>(box.high);
+  const double whole = extentOf(clusters.low, clusters.high);
+  return whole > 0 ? sum / (whole * static_cast<double>(clusters.clusters.size())) : 0;
+}
+
+bool areFinite(const MeshView& mesh, const Cluster& cluster, const ClusteredMesh& clusters)
+{
+  for (std::size_t i = cluster.firstVertex; i < cluster.firstVertex + cluster.vertexCount; ++i)
+    if (!isFinite(mesh.position(clusters.vertex[i]))) return false;
+  return true;
 }
 
 }  // namespace
@@ -353,8 +384,8 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   });
   sorted = {};
 
-  const bool isFloatAtZero = !mesh.positions.empty() && clusters.origin == Vec3d{0, 0, 0};
-  allocateVertices(runs, !isFloatAtZero, clusters);
+  allocateVertices(runs, clusters);
+  if (!isFloatAtZero(mesh, clusters.origin)) allocateLowParts(clusters);
   std::vector<Place> places;
   Place next = {0, 0};
   for (const Run& run : runs) {
@@ -366,11 +397,36 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
     if (copyRun(mesh, runs[r], places[r], clusters)) anyLow = true;
     runs[r] = {};
   });
-  if (!anyLow)
-    for (auto* low : {&clusters.xLow, &clusters.yLow, &clusters.zLow})
-      Array<float>().swap(*low);
-  uniteBoxes(clusters);
+  if (!anyLow) dropLowParts(clusters);
+  clusters.builtExtent = uniteBoxes(clusters);
   return {};
+}
+
+bool refitClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
+{
+  if (clusters.notFiniteTriangles > 0) return false;
+  clusters.origin = localOrigin(finiteBox(mesh, threads));
+  if (isFloatAtZero(mesh, clusters.origin))
+    dropLowParts(clusters);
+  else if (!clusters.hasLowParts())
+    allocateLowParts(clusters);
+
+  constexpr std::size_t kChunk = 256;
+  const std::size_t count = clusters.clusters.size();
+  std::atomic<bool> allFinite = true, anyLow = false;
+  parallelFor(threads, (count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    for (std::size_t c = chunk * kChunk; c < std::min(count, (chunk + 1) * kChunk); ++c) {
+      Cluster& cluster = clusters.clusters[c];
+      if (!areFinite(mesh, cluster, clusters)) {
+        allFinite = false;
+        return;
+      }
+      if (placeVertices(mesh, cluster, clusters)) anyLow = true;
+    }
+  });
+  if (!anyLow) dropLowParts(clusters);
+  constexpr double kApart = 2;
+  return allFinite && uniteBoxes(clusters) <= kApart * clusters.builtExtent;
 }
 
 }  // namespace limn

@@ -15,4 +15,11 @@ namespace limn {
 /// Errors: kTooManyPrimitives from 2^32 - 1 vertices or triangles on.
 Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters);
 
+/// Moves clusters along with their mesh's vertices, for a fraction of what buildClusters() costs:
+/// positions and boxes are those that it would make, which triangles are together stays. False, and
+/// the clusters are of no more use, where they have to be built instead: a vertex is not finite, or
+/// was not before, or the clusters have come apart, which would make drawing slow.
+/// Requires: but for the positions `mesh` is what the clusters were built of.
+bool refitClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters);
+
 }  // namespace limn

@@ -46,6 +46,9 @@ struct ClusteredMesh {
   Array<std::uint8_t> corner[3];
   Array<std::uint32_t> triangle;  ///< triangle of the MeshView
 
+  /// Mean extent (width + height + depth) of a cluster's box, the mesh's being 1, when built.
+  double builtExtent = 0;
+
   std::size_t triangleCount = 0;  ///< without the spare elements
   std::size_t vertexCount = 0;    ///< cluster vertices, without the spare elements
 

@@ -169,5 +169,64 @@ TEST(BuildClusters, KeepMillimetresTenThousandKilometresOut)
   }
 }
 
+void expectEqual(const ClusteredMesh& a, const ClusteredMesh& b)
+{
+  EXPECT_EQ(a.x, b.x);
+  EXPECT_EQ(a.y, b.y);
+  EXPECT_EQ(a.z, b.z);
+  EXPECT_EQ(a.xLow, b.xLow);
+  EXPECT_EQ(a.yLow, b.yLow);
+  EXPECT_EQ(a.zLow, b.zLow);
+  EXPECT_EQ(a.origin, b.origin);
+  EXPECT_EQ(a.low, b.low);
+  EXPECT_EQ(a.high, b.high);
+}
+
+/// Draws each vertex somewhere else, the neighbours to neighbouring places.
+Mesh bent(const Mesh& mesh, double far)
+{
+  Mesh moved;
+  moved.triangles = mesh.triangles;
+  for (std::size_t v = 0; v < mesh.view().vertexCount(); ++v) {
+    const Vec3d p = mesh.view().position(v);
+    moved.precise.push_back({far + p.x + 0.2 * std::sin(3 * p.y), p.y * 1.7, p.z - far});
+  }
+  return moved;
+}
+
+TEST(RefitClusters, HoldTheNewPositionsAsIfBuiltOfThem)
+{
+  const Mesh mesh = meshOf(torus(90, 70, 1, 0.4));
+  for (const double far : {0.0, 1e6}) {
+    const Mesh moved = bent(mesh, far);
+    for (const int threads : {1, 3}) {
+      ClusteredMesh clusters = clustersOf(mesh);
+      ASSERT_TRUE(refitClusters(moved.view(), threads, clusters));
+      checkedTriangleCounts(moved, clusters);
+      EXPECT_TRUE(clusters.hasLowParts());
+      // There and back again.
+      ASSERT_TRUE(refitClusters(mesh.view(), threads, clusters));
+      expectEqual(clusters, clustersOf(mesh));
+    }
+  }
+}
+
+TEST(RefitClusters, RefuseWhatHasToBeBuilt)
+{
+  const Mesh mesh = meshOf(torus(90, 70, 1, 0.4));
+  Mesh broken = mesh;
+  broken.positions[77].y = std::numeric_limits<float>::quiet_NaN();
+  ClusteredMesh clusters = clustersOf(mesh);
+  EXPECT_FALSE(refitClusters(broken.view(), 0, clusters));
+  clusters = clustersOf(broken);
+  EXPECT_FALSE(refitClusters(mesh.view(), 0, clusters)) << "triangles left out come back";
+
+  Mesh shuffled = mesh;
+  for (std::size_t v = 0; v < shuffled.positions.size(); ++v)
+    shuffled.positions[v] = mesh.positions[v * 2741 % mesh.positions.size()];
+  clusters = clustersOf(mesh);
+  EXPECT_FALSE(refitClusters(shuffled.view(), 0, clusters)) << "the clusters have come apart";
+}
+
 }  // namespace
 }  // namespace limn

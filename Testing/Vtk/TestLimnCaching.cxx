@@ -12,8 +12,26 @@
 #include "vtkElevationFilter.h"
 #include "vtkFloatArray.h"
 #include "vtkLookupTable.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
+
+namespace
+{
+/// As a mapper draws it that has never seen the data.
+Picture pictureOfACopy(Stage& stage, vtkPolyData* data)
+{
+  vtkNew<vtkPolyData> copy;
+  copy->DeepCopy(data);
+  vtkNew<vtkLimnPolyDataMapper> mapper;
+  mapper->SetInputData(copy);
+  mapper->SetScalarVisibility(stage.Mapper->GetScalarVisibility());
+  stage.Actor->SetMapper(mapper);
+  const Picture picture = render(stage.Window);
+  stage.Actor->SetMapper(stage.Mapper);
+  return picture;
+}
+}
 
 int TestLimnCaching(int, char*[])
 {
@@ -70,14 +88,37 @@ int TestLimnCaching(int, char*[])
   CHECK(isChanged());
   CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 1);
 
-  // Points in place, by the array's modification or by the data set's.
+  // Points in place, by the array's modification or by the data set's: they are moved.
   data->GetPoints()->SetPoint(0, 0, 0, 0.9);
   data->GetPoints()->Modified();
   CHECK(isChanged());
-  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 2);
+  CHECK(before == pictureOfACopy(stage, data));
   static_cast<float*>(data->GetPoints()->GetVoidPointer(0))[2] = 1.2f;
   data->Modified();
   CHECK(isChanged());
+  CHECK(before == pictureOfACopy(stage, data));
+  // Other points over the same cells, in double.
+  vtkNew<vtkPoints> far;
+  far->SetDataTypeToDouble();
+  far->SetNumberOfPoints(data->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    const double* const p = data->GetPoint(i);
+    far->SetPoint(i, 0.3 + 1.1 * p[0], p[1], p[2] / 3);
+  }
+  data->SetPoints(far);
+  CHECK(isChanged());
+  CHECK(before == pictureOfACopy(stage, data));
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 1);
+  // A point that is nowhere.
+  far->SetPoint(3, vtkMath::Nan(), 0, 0);
+  far->Modified();
+  CHECK(isChanged());
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 2);
+  far->SetPoint(3, 0.1, 0.2, 0.3);
+  far->Modified();
+  CHECK(isChanged());
+  CHECK(before == pictureOfACopy(stage, data));
   CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 3);
 
   // Other cells.

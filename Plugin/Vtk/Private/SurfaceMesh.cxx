@@ -47,23 +47,56 @@ bool hasArea(const MeshView& mesh, const Triangle& triangle)
 
 } // namespace
 
-SurfaceMesh::Version SurfaceMesh::versionOf(vtkPolyData* data)
+bool SurfaceMesh::CellsVersion::operator==(const CellsVersion& other) const
+{
+  return polys == other.polys && strips == other.strips && time == other.time &&
+         pointCount == other.pointCount && cellCount == other.cellCount;
+}
+
+bool SurfaceMesh::PointsVersion::operator==(const PointsVersion& other) const
+{
+  return points == other.points && time == other.time;
+}
+
+// Cells edited in place have to be marked as modified themselves, as for VTK's own mapper.
+SurfaceMesh::CellsVersion SurfaceMesh::cellsVersionOf(vtkPolyData* data)
+{
+  return { data->GetPolys(), data->GetStrips(),
+    std::max(timeOf(data->GetPolys()), timeOf(data->GetStrips())), data->GetNumberOfPoints(),
+    data->GetNumberOfCells() };
+}
+
+SurfaceMesh::PointsVersion SurfaceMesh::pointsVersionOf(vtkPolyData* data)
 {
   vtkPoints* const points = data->GetPoints();
   // Of the data set only its own time: with its attributes' times, which GetMTime() includes, other
   // scalars would look like another geometry.
   return { points->GetData(),
-    std::max({ data->vtkObject::GetMTime(), points->GetMTime(), points->GetData()->GetMTime(),
-      timeOf(data->GetPolys()), timeOf(data->GetStrips()) }) };
+    std::max({ data->vtkObject::GetMTime(), points->GetMTime(), points->GetData()->GetMTime() }) };
+}
+
+Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
+{
+  const CellsVersion cells = cellsVersionOf(data);
+  const PointsVersion points = pointsVersionOf(data);
+  const bool sameCells = cells == cellsVersion_ && buildStatus_.ok();
+  if (sameCells && points == pointsVersion_)
+  {
+    return buildStatus_;
+  }
+  cellsVersion_ = cells;
+  pointsVersion_ = points;
+  computedNormals_ = {};
+  faces_ = {};
+  points_.set(data->GetPoints()->GetData());
+  return sameCells && refitClusters(this->view(), threads, clusters_)
+           ? Status{}
+           : this->rebuild(data, threads);
 }
 
 Status SurfaceMesh::update(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
 {
-  if (!(version_ == versionOf(data)))
-  {
-    version_ = versionOf(data);
-    buildStatus_ = this->rebuild(data, threads);
-  }
+  buildStatus_ = this->updateGeometry(data, threads);
   if (!buildStatus_.ok())
   {
     return buildStatus_;
@@ -81,7 +114,7 @@ void SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threa
   const bool lacksTriangles = surface_.triangles.empty() && !this->isEmpty();
   if (lacksTriangles && (lacksNormals || lacksFaces || needs.triangles))
   {
-    surface_ = trianglesFromPolyData(data, points_.view(), threads);
+    surface_ = trianglesFromPolyData(data, threads);
   }
   if (lacksNormals)
   {
@@ -101,10 +134,7 @@ void SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threa
 Status SurfaceMesh::rebuild(vtkPolyData* data, int threads)
 {
   ++geometryBuilds_;
-  computedNormals_ = {};
-  faces_ = {};
-  points_.set(data->GetPoints()->GetData());
-  surface_ = trianglesFromPolyData(data, points_.view(), threads);
+  surface_ = trianglesFromPolyData(data, threads);
   cellCount_ = static_cast<std::size_t>(data->GetNumberOfCells());
   const MeshView mesh = this->view();
   isFlattened_ = data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0 &&

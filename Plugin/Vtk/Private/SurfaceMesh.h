@@ -30,8 +30,9 @@ struct SurfaceNeeds
   bool triangles = false; ///< for the reference renderer
 };
 
-/// What one mapper keeps of its input between frames. Geometry is prepared anew only when points or
-/// cells are other ones or were modified; arrays that a style needs are made when first needed.
+/// What one mapper keeps of its input between frames. Geometry is prepared anew only when cells are
+/// other ones or were modified, and moved when points are; arrays that a style needs are made when
+/// first needed.
 class SurfaceMesh
 {
 public:
@@ -53,23 +54,34 @@ public:
   std::string complaint() const;
 
 private:
-  struct Version
+  /// What the triangles are made of, points apart.
+  struct CellsVersion
+  {
+    const void* polys = nullptr;
+    const void* strips = nullptr;
+    vtkMTimeType time = 0;
+    vtkIdType pointCount = 0;
+    vtkIdType cellCount = 0;
+
+    bool operator==(const CellsVersion& other) const;
+  };
+  struct PointsVersion
   {
     const void* points = nullptr;
     vtkMTimeType time = 0;
 
-    bool operator==(const Version& other) const
-    {
-      return this->points == other.points && this->time == other.time;
-    }
+    bool operator==(const PointsVersion& other) const;
   };
-  static Version versionOf(vtkPolyData* data);
+  static CellsVersion cellsVersionOf(vtkPolyData* data);
+  static PointsVersion pointsVersionOf(vtkPolyData* data);
+  Status updateGeometry(vtkPolyData* data, int threads);
   Status rebuild(vtkPolyData* data, int threads);
   void supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
   void updateNormals(vtkPolyData* data);
   MeshView view() const;
 
-  Version version_;
+  CellsVersion cellsVersion_;
+  PointsVersion pointsVersion_;
   PointArray points_;
   SurfaceTriangles surface_;
   ClusteredMesh clusters_;

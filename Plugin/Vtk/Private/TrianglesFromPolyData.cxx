@@ -17,46 +17,27 @@ namespace
 
 constexpr std::uint32_t kNoVertex = 0xFFFFFFFFu;
 
-/// Points of triangles, checked.
-class Corners
+/// Numbers of points, checked.
+class PointNumbers
 {
 public:
-  explicit Corners(const MeshView& points) : points_(points) {}
+  explicit PointNumbers(std::size_t count) : count_(count) {}
 
   template <class Id>
   std::uint32_t vertex(Id id) const
   {
-    const bool exists = id >= 0 && static_cast<std::size_t>(id) < points_.vertexCount();
+    const bool exists = id >= 0 && static_cast<std::size_t>(id) < count_;
     return exists ? static_cast<std::uint32_t>(id) : kNoVertex;
   }
 
-  /// Whether VTK leaves the triangle out: two corners of equal coordinates.
-  bool anyCoincide(const Triangle& t) const
-  {
-    const bool exists =
-      t.vertex[0] != kNoVertex && t.vertex[1] != kNoVertex && t.vertex[2] != kNoVertex;
-    return exists &&
-           (this->coincide(t.vertex[0], t.vertex[1]) || this->coincide(t.vertex[1], t.vertex[2]) ||
-             this->coincide(t.vertex[2], t.vertex[0]));
-  }
-
 private:
-  bool coincide(std::uint32_t a, std::uint32_t b) const
-  {
-    if (points_.positions.empty())
-    {
-      return a == b || points_.precisePositions[a] == points_.precisePositions[b];
-    }
-    return a == b || points_.positions[a] == points_.positions[b];
-  }
-
-  const MeshView& points_;
+  std::size_t count_;
 };
 
 class TriangleCutter
 {
 public:
-  TriangleCutter(const MeshView& points, SurfaceTriangles& out) : corners_(points), out_(out) {}
+  TriangleCutter(PointNumbers points, SurfaceTriangles& out) : points_(points), out_(out) {}
 
   template <class Id>
   void addFan(const Id* ids, std::size_t count, std::uint32_t cell)
@@ -84,20 +65,16 @@ private:
   template <class Id>
   std::uint32_t vertex(Id id) const
   {
-    return corners_.vertex(id);
+    return points_.vertex(id);
   }
 
   void add(Triangle t, std::uint32_t cell)
   {
-    if (corners_.anyCoincide(t))
-    {
-      return;
-    }
     out_.triangles.push_back(t);
     out_.cells.push_back(cell);
   }
 
-  Corners corners_;
+  PointNumbers points_;
   SurfaceTriangles& out_;
 };
 
@@ -136,7 +113,7 @@ std::size_t forEachCell(vtkCellArray* cells, Visit visit)
 /// with `triangles` spoilt, if it is another.
 template <class Offsets, class Connectivity>
 bool copyPlainTriangles(const Offsets& offsets, const Connectivity& connectivity,
-  const MeshView& points, int threads, Array<Triangle>& triangles)
+  PointNumbers points, int threads, Array<Triangle>& triangles)
 {
   constexpr std::size_t kChunk = 1 << 16;
   const auto cells = static_cast<std::size_t>(offsets->GetNumberOfValues() - 1);
@@ -144,7 +121,6 @@ bool copyPlainTriangles(const Offsets& offsets, const Connectivity& connectivity
   {
     return false;
   }
-  const Corners corners(points);
   const auto* const ids = connectivity->GetPointer(0);
   const auto* const offset = offsets->GetPointer(0);
   triangles.resize(cells);
@@ -154,11 +130,10 @@ bool copyPlainTriangles(const Offsets& offsets, const Connectivity& connectivity
     {
       for (std::size_t t = chunk * kChunk; t < std::min(cells, (chunk + 1) * kChunk); ++t)
       {
-        triangles[t] = { { corners.vertex(ids[3 * t]), corners.vertex(ids[3 * t + 1]),
-          corners.vertex(ids[3 * t + 2]) } };
+        triangles[t] = { { points.vertex(ids[3 * t]), points.vertex(ids[3 * t + 1]),
+          points.vertex(ids[3 * t + 2]) } };
         const bool isPlain = offset[t] == static_cast<vtkIdType>(3 * t) &&
-                             offset[t + 1] == static_cast<vtkIdType>(3 * t + 3) &&
-                             !corners.anyCoincide(triangles[t]);
+                             offset[t + 1] == static_cast<vtkIdType>(3 * t + 3);
         if (!isPlain)
         {
           plain = false;
@@ -170,7 +145,7 @@ bool copyPlainTriangles(const Offsets& offsets, const Connectivity& connectivity
 }
 
 bool copyPlainTriangles(
-  vtkPolyData* data, const MeshView& points, int threads, Array<Triangle>& triangles)
+  vtkPolyData* data, PointNumbers points, int threads, Array<Triangle>& triangles)
 {
   vtkCellArray* const polys = data->GetPolys();
   if (polys->GetNumberOfCells() == 0 || polys->GetNumberOfCells() != data->GetNumberOfCells())
@@ -201,8 +176,9 @@ bool isIdentity(const std::vector<std::uint32_t>& cells, vtkIdType cellCount)
 
 } // namespace
 
-SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, const MeshView& points, int threads)
+SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, int threads)
 {
+  const PointNumbers points(static_cast<std::size_t>(data->GetNumberOfPoints()));
   SurfaceTriangles surface;
   if (copyPlainTriangles(data, points, threads, surface.triangles))
   {

@@ -22,11 +22,10 @@ struct SurfaceTriangles
 };
 
 /// Cuts polygons into fans around their first point and strips into triangles of one winding.
-/// Leaves out triangles with two corners of equal coordinates, as VTK does. Points that do not
-/// exist become a number that is out of range for any mesh. Requires: `points` views the points of
-/// `data`.
+/// Does not read the points: triangles without an area are kept. Points that do not exist become a
+/// number that is out of range for any mesh.
 /// `threads`: at most so many, 0 all; the result does not depend on it.
-SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, const MeshView& points, int threads);
+SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, int threads);
 
 } // namespace limn::bridge
 
