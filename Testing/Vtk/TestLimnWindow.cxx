@@ -329,6 +329,25 @@ void checkTiles()
   CHECK_EQUAL(tiled.CountDifferent(whole, 0), 0);
 }
 
+// Fewer samples while the user drags, if the time is short; the still picture has all.
+void checkDesiredUpdateRate()
+{
+  Stage stage;
+  vtkNew<vtkSphereSource> sphere;
+  stage.Mapper->SetInputConnection(sphere->GetOutputPort());
+  stage.Window->SetMultiSamples(0);
+  const Picture coarse = render(stage.Window);
+  stage.Window->SetMultiSamples(8);
+  const Picture still = render(stage.Window);
+  CHECK(!(coarse == still));
+  stage.Window->SetDesiredUpdateRate(15);
+  CHECK(render(stage.Window) == still);
+  stage.Window->SetDesiredUpdateRate(1e6);
+  CHECK(render(stage.Window) == coarse);
+  stage.Window->SetDesiredUpdateRate(0.0001);
+  CHECK(render(stage.Window) == still);
+}
+
 // Red and blue eyes are composed by VTK from pictures that it reads back.
 void checkStereo()
 {
@@ -384,6 +403,7 @@ int TestLimnWindow(int argc, char* argv[])
   checkErase();
   checkSizes();
   checkMultiSamples();
+  checkDesiredUpdateRate();
   checkNearPlane();
   checkQuestions();
   checkInteractor();

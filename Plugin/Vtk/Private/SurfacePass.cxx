@@ -5,6 +5,7 @@
 #include "BackendMapper.h"
 #include "ClearViewport.h"
 #include "EngineState.h"
+#include "InteractiveSamples.h"
 #include "SceneFromRenderer.h"
 
 #include "vtkLimnCompositor.h"
@@ -239,7 +240,7 @@ Status SurfacePass::renderInto(
     return {};
   }
   Scene sampled = scene;
-  sampled.samples = window->GetSamplesPerPixel();
+  sampled.samples = interactiveSamples(scene, renderer_, window->GetSamplesPerPixel());
   EngineState& engine = EngineState::instance();
   RenderStats stats;
   const FrameView view = window->GetFrame().View(viewport);
@@ -279,7 +280,7 @@ Status SurfacePass::renderLayer(const Scene& scene, double prepareMilliseconds)
     return {};
   }
   Scene sampled = scene;
-  sampled.samples = compositor()->GetSamples(renderer_);
+  sampled.samples = interactiveSamples(scene, renderer_, compositor()->GetSamples(renderer_));
   EngineState& engine = EngineState::instance();
   RenderStats stats;
   const FrameView frame = this->layer(size[0], size[1]);
