@@ -26,96 +26,88 @@ class Gatherer {
   {
   }
 
-  void gather(std::size_t i) const
+  /// In steps over all of the batch, as each waits for memory at numbers that the last one read.
+  void gather()
+  {
+    const auto count = static_cast<std::size_t>(batch_.count);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(DI()))
+      findCorners(i);
+    const bool readsVertices = normals_ == NormalSource::kVertex || !data_.vertexColors.empty();
+    for (std::size_t i = 0; readsVertices && i < count; i += hn::Lanes(DI()))
+      findVertices(i);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(DI()))
+      for (int k = 0; k < 3; ++k)
+        gatherPositions(k, i);
+    for (std::size_t i = 0; readsVertices && i < count; i += hn::Lanes(DI()))
+      for (int k = 0; k < 3; ++k)
+        gatherVertexData(k, i);
+    const bool cellColors = data_.vertexColors.empty() && !data_.cellColors.empty();
+    if (!cellColors && normals_ != NormalSource::kCell) return;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(DI())) {
+      const VI triangle = indices(mesh_.triangle.data(), hn::Load(DI(), place_ + i));
+      const VI cell = data_.cells.empty() ? triangle : indices(data_.cells.data(), triangle);
+      if (cellColors) storeColor(data_.cellColors.data(), cell, batch_.cornerColor[0], i);
+      if (normals_ == NormalSource::kCell)
+        storeVectors(data_.cellNormals.data(), cell, batch_.cornerNormal[0], i);
+    }
+  }
+
+ private:
+  /// Places of the triangles and of their corners in the mesh.
+  void findCorners(std::size_t i)
   {
     const VI owner = hn::BitCast(DI(), hn::Load(hn::RebindToUnsigned<DI>(), batch_.owner + i));
-    if (hn::AllTrue(DI(),
-                    hn::Eq(owner, hn::Set(DI(), static_cast<std::int32_t>(batch_.owner[i]))))) {
-      spread(i);
-      return;
-    }
     const VI slot = hn::ShiftRight<TileOwner::kTriangleBits>(owner);
     const VI number = hn::And(owner, hn::Set(DI(), (1 << TileOwner::kTriangleBits) - 1));
     const VI entry = hn::Mul(
         slot, hn::Set(DI(), static_cast<std::int32_t>(sizeof(TileCluster) / sizeof(std::int32_t))));
     const VI place = hn::Add(indices(&clusters_.list[0].bounds.firstTriangle, entry), number);
     const VI firstVertex = indices(&clusters_.list[0].bounds.firstVertex, entry);
+    hn::Store(place, DI(), place_ + i);
     for (int k = 0; k < 3; ++k) {
       // Reads the three bytes behind too, which the spare elements allow.
       const VI corner = hn::GatherOffset(
           DI(), reinterpret_cast<const std::int32_t*>(mesh_.corner[k].data()), place);
-      gatherCorner(hn::Add(firstVertex, hn::And(corner, hn::Set(DI(), 0xFF))), k, i);
+      hn::Store(hn::Add(firstVertex, hn::And(corner, hn::Set(DI(), 0xFF))), DI(), corner_[k] + i);
     }
-    const bool cellColors = data_.vertexColors.empty() && !data_.cellColors.empty();
-    if (!cellColors && normals_ != NormalSource::kCell) return;
-    const VI triangle = indices(mesh_.triangle.data(), place);
-    const VI cell = data_.cells.empty() ? triangle : indices(data_.cells.data(), triangle);
-    if (cellColors) storeColor(data_.cellColors.data(), cell, batch_.cornerColor[0], i);
-    if (normals_ == NormalSource::kCell)
-      storeVectors(data_.cellNormals.data(), cell, batch_.cornerNormal[0], i);
   }
-
- private:
-  /// gather() of a vector that shows one triangle only, as most do of large triangles.
-  void spread(std::size_t i) const
+  /// Numbers of the corners in the caller's mesh.
+  void findVertices(std::size_t i)
   {
-    const std::uint32_t owner = batch_.owner[i];
-    const ClusterBounds& cluster = clusters_.list[TileOwner::slot(owner)].bounds;
-    const std::size_t place = cluster.firstTriangle + TileOwner::triangle(owner);
     for (int k = 0; k < 3; ++k) {
-      const std::size_t v = cluster.firstVertex + mesh_.corner[k][place];
-      storeAll({mesh_.x[v], mesh_.y[v], mesh_.z[v]}, batch_.corner[k], i);
-      if (mesh_.hasLowParts())
-        storeAll({mesh_.xLow[v], mesh_.yLow[v], mesh_.zLow[v]}, batch_.cornerLow[k], i);
-      const std::uint32_t vertex = mesh_.vertex[v];
-      if (normals_ == NormalSource::kVertex)
-        storeAll(data_.vertexNormals[vertex], batch_.cornerNormal[k], i);
-      if (!data_.vertexColors.empty())
-        storeAll(bytes(data_.vertexColors[vertex]), batch_.cornerColor[k], i);
+      const VI vertex = indices(mesh_.vertex.data(), hn::Load(DI(), corner_[k] + i));
+      hn::Store(vertex, DI(), vertex_[k] + i);
+      if (normals_ != NormalSource::kVertex) continue;
+      for (std::size_t lane = 0; lane < hn::Lanes(DI()); ++lane)
+        hwy::Prefetch(data_.vertexNormals.data() + vertex_[k][i + lane]);
     }
-    const std::uint32_t triangle = mesh_.triangle[place];
-    const std::uint32_t cell = data_.cells.empty() ? triangle : data_.cells[triangle];
-    if (data_.vertexColors.empty() && !data_.cellColors.empty())
-      storeAll(bytes(data_.cellColors[cell]), batch_.cornerColor[0], i);
-    if (normals_ == NormalSource::kCell)
-      storeAll(data_.cellNormals[cell], batch_.cornerNormal[0], i);
   }
-  static HWY_INLINE Vec3f bytes(Rgba8 c)
+  HWY_INLINE void gatherPositions(int k, std::size_t i) const
   {
-    return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
+    const VI at = hn::Load(DI(), corner_[k] + i);
+    const auto store = [&](const Array<float>& from, float* to) HWY_ATTR {
+      hn::Store(hn::GatherIndex(DF(), from.data(), at), DF(), to + i);
+    };
+    store(mesh_.x, batch_.corner[k].x);
+    store(mesh_.y, batch_.corner[k].y);
+    store(mesh_.z, batch_.corner[k].z);
+    if (!mesh_.hasLowParts()) return;
+    store(mesh_.xLow, batch_.cornerLow[k].x);
+    store(mesh_.yLow, batch_.cornerLow[k].y);
+    store(mesh_.zLow, batch_.cornerLow[k].z);
   }
-  static HWY_INLINE void storeAll(Vec3f v, FragmentBatch::Vectors& to, std::size_t i)
+  HWY_INLINE void gatherVertexData(int k, std::size_t i) const
   {
-    hn::Store(hn::Set(DF(), v.x), DF(), to.x + i);
-    hn::Store(hn::Set(DF(), v.y), DF(), to.y + i);
-    hn::Store(hn::Set(DF(), v.z), DF(), to.z + i);
+    const VI vertex = hn::Load(DI(), vertex_[k] + i);
+    if (normals_ == NormalSource::kVertex)
+      storeVectors(data_.vertexNormals.data(), vertex, batch_.cornerNormal[k], i);
+    if (!data_.vertexColors.empty())
+      storeColor(data_.vertexColors.data(), vertex, batch_.cornerColor[k], i);
   }
 
   static HWY_INLINE VI indices(const std::uint32_t* from, VI index)
   {
     return hn::GatherIndex(DI(), reinterpret_cast<const std::int32_t*>(from), index);
-  }
-
-  HWY_INLINE void gatherCorner(VI vertex, int k, std::size_t i) const
-  {
-    const auto store = [&](const Array<float>& from, float* to) HWY_ATTR {
-      hn::Store(hn::GatherIndex(DF(), from.data(), vertex), DF(), to + i);
-    };
-    store(mesh_.x, batch_.corner[k].x);
-    store(mesh_.y, batch_.corner[k].y);
-    store(mesh_.z, batch_.corner[k].z);
-    if (mesh_.hasLowParts()) {
-      store(mesh_.xLow, batch_.cornerLow[k].x);
-      store(mesh_.yLow, batch_.cornerLow[k].y);
-      store(mesh_.zLow, batch_.cornerLow[k].z);
-    }
-    const bool vertexNormals = normals_ == NormalSource::kVertex;
-    if (!vertexNormals && data_.vertexColors.empty()) return;
-    const VI meshVertex = indices(mesh_.vertex.data(), vertex);
-    if (vertexNormals)
-      storeVectors(data_.vertexNormals.data(), meshVertex, batch_.cornerNormal[k], i);
-    if (!data_.vertexColors.empty())
-      storeColor(data_.vertexColors.data(), meshVertex, batch_.cornerColor[k], i);
   }
 
   static HWY_INLINE void storeVectors(const Vec3f* from, VI index, FragmentBatch::Vectors& to,
@@ -143,6 +135,9 @@ class Gatherer {
   const Attributes& data_;
   NormalSource normals_;
   FragmentBatch& batch_;
+  alignas(64) std::int32_t place_[FragmentBatch::kCapacity];
+  alignas(64) std::int32_t corner_[3][FragmentBatch::kCapacity];
+  alignas(64) std::int32_t vertex_[3][FragmentBatch::kCapacity];
 };
 
 void gatherFragmentsKernel(const TileClusters& clusters, const PlacedInstance& placed,
@@ -152,9 +147,7 @@ void gatherFragmentsKernel(const TileClusters& clusters, const PlacedInstance& p
   const std::size_t lanes = hn::Lanes(Gatherer::DI());
   for (std::size_t i = count; i % lanes != 0; ++i)
     batch.owner[i] = batch.owner[0];
-  const Gatherer gatherer(clusters, placed, batch);
-  for (std::size_t i = 0; i < count; i += lanes)
-    gatherer.gather(i);
+  Gatherer(clusters, placed, batch).gather();
 }
 
 void placeInFloat(const InstanceTransform& transform, FragmentBatch& batch)
