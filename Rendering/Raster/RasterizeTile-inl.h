@@ -187,46 +187,54 @@ class LargeTriangle {
     const int firstRow = std::max(box_.y0 - static_cast<int>(y), 0);
     const int lastRow = std::min(box_.y1 - static_cast<int>(y), kBlockSide - 1);
     for (std::size_t s = 0; s < target_.offsets.size(); ++s)
-      for (int row = firstRow; row <= lastRow; ++row)
-        if (isInside)
-          drawRow<false>(s, x, y + row);
-        else
-          drawRow<true>(s, x, y + row);
+      if (isInside)
+        drawRows<false>(s, x, y + firstRow, y + lastRow);
+      else
+        drawRows<true>(s, x, y + firstRow, y + lastRow);
   }
 
-  /// The pixels of a block's row.
+  /// Some rows of a block, the last one included.
   template <bool kHasEdge>
-  HWY_INLINE void drawRow(std::size_t sample, std::int64_t x, std::int64_t y) const
+  HWY_INLINE void drawRows(std::size_t sample, std::int64_t x, std::int64_t firstRow,
+                           std::int64_t lastRow) const
   {
     const hn::CappedTag<double, kBlockSide> d;
     const hn::Rebind<float, decltype(d)> df;
+    const EdgeFunction* const edge = triangle_.edge;
     const std::int64_t px = x * kSubpixels + target_.offsets[sample].x;
-    const std::int64_t py = y * kSubpixels + target_.offsets[sample].y;
-    const auto edgeAt = [&](int i, std::size_t column) HWY_ATTR {
-      const EdgeFunction& e = triangle_.edge[i];
-      return hn::Add(hn::Set(d, static_cast<double>(e.at(px, py))),
-                     hn::Mul(hn::Iota(d, static_cast<double>(column)),
-                             hn::Set(d, static_cast<double>(e.a * kSubpixels))));
-    };
-    for (std::size_t column = 0; column < kBlockSide; column += hn::Lanes(d)) {
-      const auto e1 = edgeAt(1, column), e2 = edgeAt(2, column);
-      auto covered = hn::Eq(hn::Zero(df), hn::Zero(df));
-      if (kHasEdge) {
-        const auto inside = [&](int i, decltype(e1) e) HWY_ATTR {
-          const auto smallest = hn::Set(d, static_cast<double>(triangle_.edge[i].smallestInside));
-          // Rounding to float keeps the sign.
-          return hn::Ge(hn::DemoteTo(df, hn::Sub(e, smallest)), hn::Zero(df));
+    const std::int64_t py = firstRow * kSubpixels + target_.offsets[sample].y;
+    double first[3], perRow[3];
+    for (int i = 0; i < 3; ++i) {
+      first[i] = static_cast<double>(edge[i].at(px, py));
+      perRow[i] = static_cast<double>(edge[i].b * kSubpixels);
+    }
+    auto index = static_cast<std::size_t>((firstRow - target_.pixels.y0) * kTileSide +
+                                          (x - target_.pixels.x0));
+    for (std::int64_t row = firstRow; row <= lastRow; ++row, index += kTileSide) {
+      for (std::size_t column = 0; column < kBlockSide; column += hn::Lanes(d)) {
+        const auto columns = hn::Iota(d, static_cast<double>(column));
+        const auto edgeAt = [&](int i) HWY_ATTR {
+          const auto perColumn = hn::Set(d, static_cast<double>(edge[i].a * kSubpixels));
+          return hn::Add(hn::Set(d, first[i]), hn::Mul(columns, perColumn));
         };
-        covered = hn::And(inside(0, edgeAt(0, column)), hn::And(inside(1, e1), inside(2, e2)));
-        if (hn::AllFalse(df, covered)) continue;
+        const auto e1 = edgeAt(1), e2 = edgeAt(2);
+        auto covered = hn::Eq(hn::Zero(df), hn::Zero(df));
+        if (kHasEdge) {
+          const auto inside = [&](int i, decltype(e1) e) HWY_ATTR {
+            const auto smallest = hn::Set(d, static_cast<double>(edge[i].smallestInside));
+            // Rounding to float keeps the sign.
+            return hn::Ge(hn::DemoteTo(df, hn::Sub(e, smallest)), hn::Zero(df));
+          };
+          covered = hn::And(inside(0, edgeAt(0)), hn::And(inside(1, e1), inside(2, e2)));
+          if (hn::AllFalse(df, covered)) continue;
+        }
+        const auto z = hn::Add(hn::Set(df, plane_.z0),
+                               hn::Add(hn::Mul(hn::DemoteTo(df, e1), hn::Set(df, plane_.z1)),
+                                       hn::Mul(hn::DemoteTo(df, e2), hn::Set(df, plane_.z2))));
+        depthTest(df, target_, sample, index + column, covered, z, owner_);
       }
-      const auto z = hn::Add(hn::Set(df, plane_.z0),
-                             hn::Add(hn::Mul(hn::DemoteTo(df, e1), hn::Set(df, plane_.z1)),
-                                     hn::Mul(hn::DemoteTo(df, e2), hn::Set(df, plane_.z2))));
-      const auto index =
-          static_cast<std::size_t>((y - target_.pixels.y0) * kTileSide + (x - target_.pixels.x0)) +
-          column;
-      depthTest(df, target_, sample, index, covered, z, owner_);
+      for (int i = 0; i < 3; ++i)
+        first[i] += perRow[i];
     }
   }
 
