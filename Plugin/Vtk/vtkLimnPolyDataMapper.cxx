@@ -30,13 +30,27 @@ vtkLimnPolyDataMapper::vtkLimnPolyDataMapper() : Internals(new vtkInternals) {}
 vtkLimnPolyDataMapper::~vtkLimnPolyDataMapper() = default;
 
 //------------------------------------------------------------------------------
+void vtkLimnPolyDataMapper::Render(vtkRenderer* renderer, vtkActor* actor)
+{
+  const bool isDrawn = !renderer->GetRenderWindow()->CheckAbortStatus() &&
+                       limn::bridge::isDrawnAlready(renderer, actor, this);
+  if (!isDrawn)
+  {
+    this->Superclass::Render(renderer, actor);
+    return;
+  }
+  this->TimeToDraw = NominalTimeToDraw;
+  this->UpdateProgress(1.0);
+}
+
+//------------------------------------------------------------------------------
 void vtkLimnPolyDataMapper::RenderPiece(vtkRenderer* renderer, vtkActor* actor)
 {
   if (renderer->GetRenderWindow()->CheckAbortStatus())
   {
     return;
   }
-  if (!this->GetInput())
+  if (!limn::bridge::inputOf(this))
   {
     vtkErrorMacro("No input: connect a source or a filter, or call SetInputData().");
     return;
@@ -71,10 +85,33 @@ vtkUnsignedCharArray* vtkLimnPolyDataMapper::MapScalarsToColors(int& cellFlag)
 }
 
 //------------------------------------------------------------------------------
+bool vtkLimnPolyDataMapper::HasTranslucentPolygonalGeometry()
+{
+  // VTK looks for the scalars first.
+  return this->ScalarVisibility && this->Superclass::HasTranslucentPolygonalGeometry();
+}
+
+//------------------------------------------------------------------------------
+double* vtkLimnPolyDataMapper::GetBounds()
+{
+  if (this->NumberOfSubPieces != 1 || !this->Internals->Input.get(this))
+  {
+    return this->Superclass::GetBounds();
+  }
+  this->ComputeBounds();
+  return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
 void vtkLimnPolyDataMapper::ComputeBounds()
 {
   limn::bridge::InputBounds& bounds = this->Internals->InputBounds;
-  if (bounds.areSafe(this->GetInput()))
+  vtkPolyData* const data = limn::bridge::inputOf(this);
+  if (!bounds.update(data))
+  {
+    return;
+  }
+  if (bounds.areSafe())
   {
     this->Superclass::ComputeBounds();
     return;

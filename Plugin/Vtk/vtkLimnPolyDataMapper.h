@@ -32,9 +32,14 @@ public:
   vtkTypeMacro(vtkLimnPolyDataMapper, vtkPolyDataMapper);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  void Render(vtkRenderer* renderer, vtkActor* actor) override;
   void RenderPiece(vtkRenderer* renderer, vtkActor* actor) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
   bool GetSupportsSelection() override { return true; }
+  bool HasTranslucentPolygonalGeometry() override;
+
+  using vtkPolyDataMapper::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
 
   /**
    * How often the geometry has been prepared since this mapper was made: a figure that stays the

@@ -9,12 +9,14 @@
 #include "vtkLimnEngine.h"
 #include "vtkLimnProperty.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkElevationFilter.h"
 #include "vtkFloatArray.h"
 #include "vtkLookupTable.h"
 #include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkSphereSource.h"
+#include "vtkTrivialProducer.h"
 
 namespace
 {
@@ -31,9 +33,114 @@ Picture pictureOfACopy(Stage& stage, vtkPolyData* data)
   stage.Actor->SetMapper(stage.Mapper);
   return picture;
 }
+
+vtkSmartPointer<vtkPolyData> makeSquare(double left, double side)
+{
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(flatPoints(
+    { { left, 10 }, { left + side, 10 }, { left + side, 10 + side }, { left, 10 + side } }));
+  vtkNew<vtkCellArray> polys;
+  addCell(polys, { 0, 1, 2, 3 });
+  data->SetPolys(polys);
+  return data;
 }
 
-int TestLimnCaching(int, char*[])
+void setRight(vtkPolyData* square, double right)
+{
+  square->GetPoints()->SetPoint(1, right, 10, 0);
+  square->GetPoints()->SetPoint(2, right, 30, 0);
+}
+
+// Input that was set as data is not asked for again as long as nothing was modified.
+void checkModifiedData()
+{
+  Stage stage;
+  stage.LookFlat();
+  const vtkSmartPointer<vtkPolyData> data = makeSquare(10, 20);
+  stage.Mapper->SetInputData(data);
+  const auto drawnPixels = [&]() { return render(stage.Window).CountOtherThan({ 0, 0, 0 }); };
+  const auto rightBound = [&]() { return stage.Actor->GetBounds()[1]; };
+  CHECK_EQUAL(drawnPixels(), 20 * 20);
+  CHECK_EQUAL(drawnPixels(), 20 * 20);
+  CHECK_EQUAL(rightBound(), 30);
+
+  setRight(data, 40);
+  data->GetPoints()->Modified();
+  CHECK_EQUAL(rightBound(), 40);
+  CHECK_EQUAL(drawnPixels(), 30 * 20);
+  setRight(data, 50);
+  data->GetPoints()->GetData()->Modified();
+  CHECK_EQUAL(drawnPixels(), 40 * 20);
+  CHECK_EQUAL(rightBound(), 50);
+
+  // Two of the four corners, twice each.
+  data->GetPolys()->GetConnectivityArray()->SetComponent(2, 0, 1);
+  data->GetPolys()->GetConnectivityArray()->SetComponent(3, 0, 0);
+  data->GetPolys()->GetConnectivityArray()->Modified();
+  CHECK_EQUAL(drawnPixels(), 0);
+  vtkNew<vtkCellArray> polys;
+  addCell(polys, { 0, 1, 2, 3 });
+  data->SetPolys(polys);
+  CHECK_EQUAL(drawnPixels(), 40 * 20);
+  CHECK_EQUAL(stage.Actor->GetBounds()[3], 30);
+
+  data->Initialize();
+  CHECK_EQUAL(drawnPixels(), 0);
+  data->ShallowCopy(makeSquare(10, 10));
+  CHECK_EQUAL(drawnPixels(), 10 * 10);
+  CHECK_EQUAL(rightBound(), 20);
+}
+
+void checkReplacedData()
+{
+  Stage stage;
+  stage.LookFlat();
+  const auto drawnPixels = [&]() { return render(stage.Window).CountOtherThan({ 0, 0, 0 }); };
+  const vtkSmartPointer<vtkPolyData> small = makeSquare(10, 20);
+  const vtkSmartPointer<vtkPolyData> large = makeSquare(10, 40);
+  stage.Mapper->SetInputData(small);
+  CHECK_EQUAL(drawnPixels(), 20 * 20);
+  stage.Mapper->SetInputData(large);
+  CHECK_EQUAL(stage.Actor->GetBounds()[1], 50);
+  CHECK_EQUAL(drawnPixels(), 40 * 40);
+
+  auto* const producer = vtkTrivialProducer::SafeDownCast(stage.Mapper->GetInputAlgorithm());
+  producer->SetOutput(small);
+  CHECK_EQUAL(stage.Actor->GetBounds()[1], 30);
+  CHECK_EQUAL(drawnPixels(), 20 * 20);
+
+  // One that is gone with its producer.
+  stage.Mapper->SetInputData(makeSquare(20, 30));
+  CHECK_EQUAL(drawnPixels(), 30 * 30);
+  stage.Mapper->RemoveAllInputConnections(0);
+  CHECK_EQUAL(drawnPixels(), 0);
+  stage.Mapper->SetInputData(makeSquare(20, 25));
+  CHECK_EQUAL(drawnPixels(), 25 * 25);
+}
+
+// Who observes the mapper may change its input at the last moment.
+void checkDataModifiedByObserver()
+{
+  Stage stage;
+  stage.LookFlat();
+  const vtkSmartPointer<vtkPolyData> data = makeSquare(10, 20);
+  stage.Mapper->SetInputData(data);
+  vtkNew<vtkCallbackCommand> grow;
+  grow->SetClientData(data);
+  grow->SetCallback(
+    [](vtkObject*, unsigned long, void* square, void*)
+    {
+      auto* const points = static_cast<vtkPolyData*>(square)->GetPoints();
+      setRight(static_cast<vtkPolyData*>(square), points->GetPoint(1)[0] + 1);
+      points->Modified();
+    });
+  const int before = render(stage.Window).CountOtherThan({ 0, 0, 0 });
+  CHECK_EQUAL(before, 20 * 20);
+  stage.Mapper->AddObserver(vtkCommand::StartEvent, grow);
+  CHECK(render(stage.Window).CountOtherThan({ 0, 0, 0 }) > before);
+}
+
+void checkWhatIsPreparedAnew()
 {
   Stage stage;
   vtkNew<vtkSphereSource> sphere;
@@ -136,5 +243,14 @@ int TestLimnCaching(int, char*[])
   CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 6);
   CHECK(!isChanged());
   CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 6);
+}
+}
+
+int TestLimnCaching(int, char*[])
+{
+  checkModifiedData();
+  checkReplacedData();
+  checkDataModifiedByObserver();
+  checkWhatIsPreparedAnew();
   return result();
 }

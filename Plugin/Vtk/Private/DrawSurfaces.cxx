@@ -30,7 +30,7 @@ namespace
 void updateInput(vtkLimnPolyDataMapper* mapper)
 {
   mapper->InvokeEvent(vtkCommand::StartEvent);
-  if (!mapper->GetStatic())
+  if (!mapper->GetStatic() && !mapper->GetInternals().Input.get(mapper))
   {
     mapper->GetInputAlgorithm()->Update();
   }
@@ -89,15 +89,24 @@ void collectSurfaces(vtkRenderer* renderer)
   passOf(renderer).expect(surfacesOf(renderer, Assemblies::kTraverse));
 }
 
+bool isDrawnAlready(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper)
+{
+  if (renderer->GetSelector())
+  {
+    return false;
+  }
+  const Surface* const surface = passOf(renderer).crossOff(actor, mapper);
+  if (surface)
+  {
+    warnOfMissing(renderer, actor, surface->missing);
+  }
+  return surface != nullptr;
+}
+
 void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper)
 {
-  if (!renderer->GetSelector() && passOf(renderer).hasDrawn(actor, mapper))
-  {
-    warnOfMissing(renderer, actor, whatIsMissing(actor, mapper));
-    return;
-  }
   updateInput(mapper);
-  if (!mapper->GetInput()->GetPoints())
+  if (!inputOf(mapper)->GetPoints())
   {
     return;
   }

@@ -18,6 +18,10 @@ void collectSurfaces(vtkRenderer* renderer);
 /// of all actors of the renderer that can be drawn, at once; later calls for these return at once.
 /// What Limn cannot draw goes to the window's own backend, or is named in a warning if there is
 /// none.
+/// Whether nothing is left to do for the actor: its surface has been drawn together with others.
+/// Says so once for each time that it was collected.
+bool isDrawnAlready(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper);
+
 void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper);
 
 } // namespace limn::bridge

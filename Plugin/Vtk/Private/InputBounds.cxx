@@ -139,20 +139,23 @@ std::array<double, 6> boundsOfGoodPoints(vtkPolyData* data)
 
 } // namespace
 
-bool InputBounds::areSafe(vtkPolyData* data)
+bool InputBounds::update(vtkPolyData* data)
 {
   if (!data || !data->GetPoints())
   {
+    *this = {};
     return true;
   }
-  if (data != data_ || time_ != meshTime(data))
+  const vtkMTimeType time = meshTime(data);
+  if (data == data_ && time == time_)
   {
-    data_ = data;
-    time_ = meshTime(data);
-    areSafe_ = allPointsExist(data) && allCoordinatesAreFinite(data);
-    bounds_ = areSafe_ ? std::array<double, 6>{} : boundsOfGoodPoints(data);
+    return false;
   }
-  return areSafe_;
+  data_ = data;
+  time_ = time;
+  areSafe_ = allPointsExist(data) && allCoordinatesAreFinite(data);
+  bounds_ = areSafe_ ? std::array<double, 6>{} : boundsOfGoodPoints(data);
+  return true;
 }
 
 } // namespace limn::bridge

@@ -17,8 +17,11 @@ namespace limn::bridge
 class InputBounds
 {
 public:
-  /// True if VTK can be left to compute the bounds. Looks only if `data` has changed.
-  bool areSafe(vtkPolyData* data);
+  /// False if the bounds are those of the last call: `data` has not changed since.
+  bool update(vtkPolyData* data);
+
+  /// True if VTK can be left to compute the bounds.
+  bool areSafe() const { return areSafe_; }
 
   /// Of the existing, finite points of cells, as xmin, xmax, ymin, ymax, zmin, zmax; xmin > xmax if
   /// there are none. Call only after areSafe() was false.

@@ -4,6 +4,7 @@
 #define MapperInternals_h
 
 #include "InputBounds.h"
+#include "KnownInput.h"
 #include "SurfaceMesh.h"
 
 #include "vtkLimnPolyDataMapper.h"
@@ -13,6 +14,7 @@ class vtkLimnPolyDataMapper::vtkInternals
 public:
   limn::bridge::SurfaceMesh Mesh;
   limn::bridge::InputBounds InputBounds;
+  limn::bridge::KnownInput Input;
   vtkIdType ComplainedAboutBuild = 0; ///< of which geometry what was left out was said
 };
 

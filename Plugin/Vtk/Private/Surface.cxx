@@ -6,7 +6,6 @@
 #include "MapperInternals.h"
 #include "SceneFromRenderer.h"
 #include "StyleFromProperty.h"
-#include "WhatIsMissing.h"
 
 #include "vtkLimnActor.h"
 #include "vtkLimnRenderWindow.h"
@@ -41,14 +40,18 @@ bool rendersAsItself(vtkActor* actor)
 
 void updateInput(vtkLimnPolyDataMapper* mapper)
 {
+  KnownInput& known = mapper->GetInternals().Input;
   mapper->InvokeEvent(vtkCommand::StartEvent);
-  mapper->Update();
+  if (!known.get(mapper))
+  {
+    mapper->Update();
+    known.remember(mapper);
+  }
   mapper->InvokeEvent(vtkCommand::EndEvent);
 }
 
-bool isDrawn(vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkRenderer* renderer)
+bool isDrawn(const std::vector<Missing>& missing, vtkRenderer* renderer)
 {
-  const std::vector<Missing> missing = whatIsMissing(actor, mapper);
   // In windows of another backend that one draws the whole actor.
   const bool isOurWindow = vtkLimnRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   return std::all_of(missing.begin(), missing.end(),
@@ -74,16 +77,22 @@ public:
       return;
     }
     updateInput(mapper);
-    if (!mapper->GetInput() || !actor->HasOpaqueGeometry() || !isDrawn(actor, mapper, renderer_))
+    if (!inputOf(mapper) || !actor->HasOpaqueGeometry())
+    {
+      return;
+    }
+    std::vector<Missing> missing = whatIsMissing(actor, mapper);
+    if (!isDrawn(missing, renderer_))
     {
       return;
     }
     Surface surface = surfaceOf(actor, mapper);
+    surface.missing = std::move(missing);
     if (matrix)
     {
       surface.modelToWorld = toMat4(matrix);
     }
-    surfaces_.push_back(surface);
+    surfaces_.push_back(std::move(surface));
   }
 
   void addPaths(vtkProp* assembly)
@@ -164,7 +173,7 @@ std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
 
 bool describe(const Surface& surface, Instance& instance)
 {
-  vtkPolyData* const data = surface.mapper->GetInput();
+  vtkPolyData* const data = inputOf(surface.mapper);
   if (!data->GetPoints() || data->GetNumberOfPoints() == 0)
   {
     return false;

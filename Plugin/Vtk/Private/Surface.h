@@ -3,6 +3,8 @@
 #ifndef Surface_h
 #define Surface_h
 
+#include "WhatIsMissing.h"
+
 #include "Rendering/Scene.h"
 
 #include <vector>
@@ -20,6 +22,7 @@ struct Surface
   vtkActor* actor;
   vtkLimnPolyDataMapper* mapper;
   Mat4d modelToWorld;
+  std::vector<Missing> missing = {}; ///< found when the surface was collected
 };
 
 /// At the actor's own place.

@@ -138,35 +138,36 @@ bool SurfacePass::isSameView() const
          std::equal(std::begin(now.place), std::end(now.place), std::begin(view_.place));
 }
 
-bool SurfacePass::isCrossedOff(vtkActor* actor)
+const Surface* SurfacePass::crossOff(vtkActor* actor)
 {
   const auto entry = due_.find(actor);
-  if (entry == due_.end() || entry->second == 0)
+  if (entry == due_.end() || entry->second.times == 0)
   {
-    return false;
+    return nullptr;
   }
-  --entry->second;
-  return true;
+  --entry->second.times;
+  return entry->second.surface;
 }
 
 void SurfacePass::startPass()
 {
-  const std::vector<Surface> surfaces =
-    isExpecting_ ? expected_ : surfacesOf(renderer_, Assemblies::kLeaveOut);
+  surfaces_ = isExpecting_ ? expected_ : surfacesOf(renderer_, Assemblies::kLeaveOut);
   due_.clear();
-  for (const Surface& surface : surfaces)
+  for (const Surface& surface : surfaces_)
   {
-    ++due_[surface.actor];
+    Due& due = due_[surface.actor];
+    due.surface = &surface;
+    ++due.times;
   }
   view_ = this->currentView();
   isInPass_ = true;
-  this->drawTogether(surfaces);
+  this->drawTogether(surfaces_);
 }
 
-bool SurfacePass::hasDrawn(vtkActor* actor, vtkMapper* mapper)
+const Surface* SurfacePass::crossOff(vtkActor* actor, vtkMapper* mapper)
 {
-  return actor->GetMapper() == mapper && isInPass_ && this->isSameView() &&
-         this->isCrossedOff(actor);
+  const bool isContinued = actor->GetMapper() == mapper && isInPass_ && this->isSameView();
+  return isContinued ? this->crossOff(actor) : nullptr;
 }
 
 void SurfacePass::draw(const Surface& surface)
@@ -175,12 +176,12 @@ void SurfacePass::draw(const Surface& surface)
   const bool isContinued = isInPass_ && this->isSameView();
   if (isOfActor && (!isContinued || due_.count(surface.actor) > 0))
   {
-    if (isContinued && this->isCrossedOff(surface.actor))
+    if (isContinued && this->crossOff(surface.actor))
     {
       return;
     }
     this->startPass();
-    if (this->isCrossedOff(surface.actor))
+    if (this->crossOff(surface.actor))
     {
       return;
     }

@@ -9,7 +9,7 @@
 #include "Rendering/FrameView.h"
 #include "Rendering/Renderer.h"
 
-#include <map>
+#include <unordered_map>
 #include <vector>
 
 class vtkLimnRenderWindow;
@@ -35,12 +35,12 @@ public:
   void expect(std::vector<Surface> surfaces);
   void draw(const Surface& surface);
 
-  /// Whether this pass has drawn the actor's surface together with others, so that draw() would
-  /// have nothing to do. Says so once for each time that the actor was collected.
-  bool hasDrawn(vtkActor* actor, vtkMapper* mapper);
+  /// The actor's surface if this pass has drawn it together with others, so that draw() would have
+  /// nothing to do; else nullptr. Returns it once for each time that the actor was collected.
+  const Surface* crossOff(vtkActor* actor, vtkMapper* mapper);
 
 private:
-  bool isCrossedOff(vtkActor* actor);
+  const Surface* crossOff(vtkActor* actor);
   bool isSameView() const;
   void startPass();
   void drawTogether(const std::vector<Surface>& surfaces);
@@ -61,7 +61,14 @@ private:
   std::vector<Surface> expected_;
   bool isInPass_ = false;
   View view_ = {};
-  std::map<vtkActor*, int> due_; ///< how often an actor drawn already is still to come
+  std::vector<Surface> surfaces_; ///< of the pass
+  /// By actors drawn already: their surfaces, and how often they are still to come.
+  struct Due
+  {
+    const Surface* surface;
+    int times;
+  };
+  std::unordered_map<vtkActor*, Due> due_;
 
   /// The layer for windows of other backends.
   Array<Rgba8> layerColor_;

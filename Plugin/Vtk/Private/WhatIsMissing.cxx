@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WhatIsMissing.h"
 
+#include "KnownInput.h"
+
 #include "vtkLimnPolyDataMapper.h"
 
 #include "vtkActor.h"
@@ -65,7 +67,7 @@ bool hasTexture(vtkActor* actor)
 std::vector<Missing> whatIsMissing(vtkActor* actor, vtkLimnPolyDataMapper* mapper)
 {
   vtkProperty* const property = actor->GetProperty();
-  vtkPolyData* const data = mapper->GetInput();
+  vtkPolyData* const data = inputOf(mapper);
   const bool hasPlanes =
     mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0;
   const struct
