@@ -755,13 +755,17 @@ class SmallCluster {
                          VI index, const std::uint32_t* owners) const
   {
     const VF zero = hn::Zero(df);
-    const auto visible = hn::And(hn::RebindMask(df, covered), hn::Le(z, hn::Set(df, 1.0f)));
+    float* tileDepth = target_.tile.depth[sample];
+    std::uint32_t* tileOwner = target_.tile.owner[sample];
+    const auto inView = hn::And(hn::RebindMask(df, covered), hn::Le(z, hn::Set(df, 1.0f)));
+    // Samples of hidden triangles end here, without a branch for each that cannot be foreseen.
+    const VF behind = hn::GatherIndex(df, tileDepth, hn::IfThenElseZero(covered, index));
+    const auto visible = hn::And(inView, hn::Le(z, behind));
+    if (hn::AllFalse(df, visible)) return;
     alignas(64) float depths[kMaxLanes];
     alignas(64) std::int32_t indices[kMaxLanes];
     hn::Store(hn::IfThenElse(hn::Gt(z, zero), z, zero), df, depths);
     hn::Store(index, d, indices);
-    float* tileDepth = target_.tile.depth[sample];
-    std::uint32_t* tileOwner = target_.tile.owner[sample];
     for (std::uint64_t bits = bitsOf(df, visible); bits != 0; bits &= bits - 1) {
       const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
       const std::int32_t pixel = indices[lane];
