@@ -686,11 +686,12 @@ class SmallCluster {
         drawn, hn::Sub(lastPixel(x, target_.lowest.x, target_.pixels.x1 - 1 - baseX_), fromX));
     const VI spanY = hn::IfThenElseZero(
         drawn, hn::Sub(lastPixel(y, target_.lowest.y, target_.pixels.y1 - 1 - baseY_), fromY));
-    const std::int32_t columns = hn::GetLane(hn::MaxOfLanes(d, spanX));
-    const std::int32_t rows = hn::GetLane(hn::MaxOfLanes(d, spanY));
+    const VI one = hn::Set(d, 1);
+    const VI count = hn::IfThenElseZero(drawn, hn::Mul(hn::Add(spanX, one), hn::Add(spanY, one)));
+    const std::int32_t most = hn::GetLane(hn::MaxOfLanes(d, count));
 
     // Edge values at the lower left corner of the box's first pixel, less the smallest inside.
-    VI corner[3], dx[3], dy[3], least[3];
+    VI corner[3], dx[3], dy[3], least[3], toNextPixel[3], toNextRow[3];
     for (int i = 0; i < 3; ++i) {
       const int from = (i + 1) % 3, to = (i + 2) % 3;
       dx[i] = hn::Sub(x[to], x[from]);
@@ -702,7 +703,11 @@ class SmallCluster {
       corner[i] = hn::Sub(
           hn::Sub(hn::Mul(dx[i], hn::Sub(py, y[from])), hn::Mul(dy[i], hn::Sub(px, x[from]))),
           least[i]);
+      toNextPixel[i] = hn::Neg(hn::ShiftLeft<kSubpixelBits>(dy[i]));
+      toNextRow[i] = hn::Add(hn::ShiftLeft<kSubpixelBits>(dx[i]),
+                             hn::Mul(hn::ShiftLeft<kSubpixelBits>(dy[i]), spanX));
     }
+    const VI nextRow = hn::Sub(hn::Set(d, kTileSide), spanX);
 
     const auto depthOf = [&](VI i) HWY_ATTR { return hn::GatherIndex(df, depth_, i); };
     const VF z0 = depthOf(i0), zb = depthOf(i1), zc = depthOf(i2);
@@ -725,27 +730,24 @@ class SmallCluster {
       const auto start = [&](int i) HWY_ATTR {
         return hn::Add(corner[i], hn::Sub(hn::Mul(dx[i], offsetY), hn::Mul(dy[i], offsetX)));
       };
-      const VI start0 = start(0), start1 = start(1), start2 = start(2);
-      const auto rowOf = [&](VI value, int i, std::int32_t row) HWY_ATTR {
-        return hn::Add(value, hn::Mul(dx[i], hn::Set(d, row * kSubpixels)));
-      };
-      for (std::int32_t row = 0; row <= rows; ++row) {
-        VI e0 = rowOf(start0, 0, row), e1 = rowOf(start1, 1, row), e2 = rowOf(start2, 2, row);
-        const auto inRow = hn::And(drawn, hn::Gt(spanY, hn::Set(d, row - 1)));
-        for (std::int32_t column = 0; column <= columns; ++column) {
-          const auto inBox = hn::And(inRow, hn::Gt(spanX, hn::Set(d, column - 1)));
-          const auto covered = hn::And(inBox, hn::Gt(hn::Or(e0, hn::Or(e1, e2)), hn::Set(d, -1)));
-          if (!hn::AllFalse(d, covered)) {
-            const VF v1 = hn::ConvertTo(df, hn::Add(e1, least[1]));
-            const VF v2 = hn::ConvertTo(df, hn::Add(e2, least[2]));
-            const VF z = hn::Add(z0, hn::Add(hn::Mul(v1, z1), hn::Mul(v2, z2)));
-            const VI index = hn::Add(firstIndex, hn::Set(d, row * kTileSide + column));
-            commit(s, covered, z, index, owners);
-          }
-          e0 = hn::Sub(e0, hn::ShiftLeft<kSubpixelBits>(dy[0]));
-          e1 = hn::Sub(e1, hn::ShiftLeft<kSubpixelBits>(dy[1]));
-          e2 = hn::Sub(e2, hn::ShiftLeft<kSubpixelBits>(dy[2]));
+      // Each lane goes through its own box: a wide one and a high one in a vector take no longer
+      // than one of them.
+      VI e0 = start(0), e1 = start(1), e2 = start(2), index = firstIndex, column = spanX;
+      for (std::int32_t pixel = 0; pixel < most; ++pixel) {
+        const auto inBox = hn::Gt(count, hn::Set(d, pixel));
+        const auto covered = hn::And(inBox, hn::Gt(hn::Or(e0, hn::Or(e1, e2)), hn::Set(d, -1)));
+        if (!hn::AllFalse(d, covered)) {
+          const VF v1 = hn::ConvertTo(df, hn::Add(e1, least[1]));
+          const VF v2 = hn::ConvertTo(df, hn::Add(e2, least[2]));
+          const VF z = hn::Add(z0, hn::Add(hn::Mul(v1, z1), hn::Mul(v2, z2)));
+          commit(s, covered, z, index, owners);
         }
+        const auto endsRow = hn::Eq(column, zero);
+        e0 = hn::Add(e0, hn::IfThenElse(endsRow, toNextRow[0], toNextPixel[0]));
+        e1 = hn::Add(e1, hn::IfThenElse(endsRow, toNextRow[1], toNextPixel[1]));
+        e2 = hn::Add(e2, hn::IfThenElse(endsRow, toNextRow[2], toNextPixel[2]));
+        index = hn::Add(index, hn::IfThenElse(endsRow, nextRow, one));
+        column = hn::IfThenElse(endsRow, spanX, hn::Sub(column, one));
       }
     }
   }
