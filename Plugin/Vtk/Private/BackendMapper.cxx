@@ -56,6 +56,11 @@ void releaseBackend(vtkWindow* window)
 
 void renderMapper(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
 {
+  if (vtkLimnPolyDataMapper::SafeDownCast(mapper))
+  {
+    mapper->Render(renderer, actor);
+    return;
+  }
   const bool isInLimnWindow =
     vtkLimnRenderWindow::SafeDownCast(renderer->GetRenderWindow()) != nullptr;
   if (isInLimnWindow && belongsToOpenGL(mapper))
@@ -68,7 +73,7 @@ void renderMapper(vtkRenderer* renderer, vtkActor* actor, vtkMapper* mapper)
     }
     return;
   }
-  if (isInLimnWindow || vtkLimnPolyDataMapper::SafeDownCast(mapper) || !compositor())
+  if (isInLimnWindow || !compositor())
   {
     mapper->Render(renderer, actor);
     return;

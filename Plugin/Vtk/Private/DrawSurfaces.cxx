@@ -60,9 +60,9 @@ bool hasRenderPasses(vtkRenderer* renderer)
   return renderer->GetPass() || renderer->GetUseSSAO() || renderer->GetUseShadows();
 }
 
-void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface)
+void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface, vtkPolyData* input)
 {
-  const std::vector<Missing> missing = whatIsMissing(surface.actor, surface.mapper);
+  const std::vector<Missing> missing = whatIsMissing(surface.actor, surface.mapper, input);
   const bool isDrawn = std::all_of(
     missing.begin(), missing.end(), [](const Missing& one) { return one.surfaceIsDrawn; });
   if (!renderer->GetSelector())
@@ -106,17 +106,18 @@ bool isDrawnAlready(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMappe
 void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper)
 {
   updateInput(mapper);
-  if (!inputOf(mapper)->GetPoints())
+  vtkPolyData* const input = inputOf(mapper);
+  if (!input->GetPoints())
   {
     return;
   }
   const Surface surface = surfaceOf(actor, mapper);
   if (vtkLimnRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
-    drawInLimnWindow(renderer, surface);
+    drawInLimnWindow(renderer, surface, input);
   }
   else if (renderer->GetSelector() || hasRenderPasses(renderer) ||
-           !whatIsMissing(actor, mapper).empty())
+           !whatIsMissing(actor, mapper, input).empty())
   {
     if (compositor())
     {

@@ -15,7 +15,7 @@ public:
   limn::bridge::SurfaceMesh Mesh;
   limn::bridge::InputBounds InputBounds;
   limn::bridge::KnownInput Input;
-  vtkIdType ComplainedAboutBuild = 0; ///< of which geometry what was left out was said
+  vtkIdType LookedAtBuild = 0; ///< of which geometry what was left out was said
 };
 
 #endif

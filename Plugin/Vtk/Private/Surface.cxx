@@ -38,7 +38,8 @@ bool rendersAsItself(vtkActor* actor)
          std::strcmp(actor->GetClassName(), "vtkOpenGLActor") == 0;
 }
 
-void updateInput(vtkLimnPolyDataMapper* mapper)
+/// Returns the input; nullptr if there is none.
+vtkPolyData* updateInput(vtkLimnPolyDataMapper* mapper)
 {
   KnownInput& known = mapper->GetInternals().Input;
   mapper->InvokeEvent(vtkCommand::StartEvent);
@@ -48,6 +49,7 @@ void updateInput(vtkLimnPolyDataMapper* mapper)
     known.remember(mapper);
   }
   mapper->InvokeEvent(vtkCommand::EndEvent);
+  return inputOf(mapper);
 }
 
 bool isDrawn(const std::vector<Missing>& missing, vtkRenderer* renderer)
@@ -76,12 +78,12 @@ public:
     {
       return;
     }
-    updateInput(mapper);
-    if (!inputOf(mapper) || !actor->HasOpaqueGeometry())
+    vtkPolyData* const input = updateInput(mapper);
+    if (!input || !actor->HasOpaqueGeometry())
     {
       return;
     }
-    std::vector<Missing> missing = whatIsMissing(actor, mapper);
+    std::vector<Missing> missing = whatIsMissing(actor, mapper, input);
     if (!isDrawn(missing, renderer_))
     {
       return;
@@ -105,6 +107,7 @@ public:
     }
   }
 
+  void reserve(std::size_t surfaces) { surfaces_.reserve(surfaces); }
   std::vector<Surface> take() { return std::move(surfaces_); }
 
 private:
@@ -134,10 +137,14 @@ void setColors(vtkLimnPolyDataMapper* mapper, Instance& instance)
 void complainOnce(vtkLimnPolyDataMapper* mapper)
 {
   vtkLimnPolyDataMapper::vtkInternals& internals = mapper->GetInternals();
-  const std::string complaint = internals.Mesh.complaint();
-  if (!complaint.empty() && internals.ComplainedAboutBuild != internals.Mesh.geometryBuilds())
+  if (internals.LookedAtBuild == internals.Mesh.geometryBuilds())
   {
-    internals.ComplainedAboutBuild = internals.Mesh.geometryBuilds();
+    return;
+  }
+  internals.LookedAtBuild = internals.Mesh.geometryBuilds();
+  const std::string complaint = internals.Mesh.complaint();
+  if (!complaint.empty())
+  {
     vtkWarningWithObjectMacro(mapper, "Not all of the input is drawn." << complaint);
   }
 }
@@ -154,6 +161,7 @@ std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
 {
   SurfaceCollector collector(renderer);
   vtkPropCollection* const props = renderer->GetViewProps();
+  collector.reserve(static_cast<std::size_t>(props->GetNumberOfItems()));
   vtkCollectionSimpleIterator iterator;
   props->InitTraversal(iterator);
   while (vtkProp* const prop = props->GetNextProp(iterator))

@@ -74,6 +74,8 @@ struct Drawables
 Drawables describeAll(const std::vector<Surface>& surfaces)
 {
   Drawables drawables;
+  drawables.instances.reserve(surfaces.size());
+  drawables.actors.reserve(surfaces.size());
   for (const Surface& surface : surfaces)
   {
     Instance instance;

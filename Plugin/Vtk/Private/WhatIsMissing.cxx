@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WhatIsMissing.h"
 
-#include "KnownInput.h"
-
 #include "vtkLimnPolyDataMapper.h"
 
 #include "vtkActor.h"
@@ -64,10 +62,10 @@ bool hasTexture(vtkActor* actor)
 
 } // namespace
 
-std::vector<Missing> whatIsMissing(vtkActor* actor, vtkLimnPolyDataMapper* mapper)
+std::vector<Missing> whatIsMissing(
+  vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkPolyData* input)
 {
   vtkProperty* const property = actor->GetProperty();
-  vtkPolyData* const data = inputOf(mapper);
   const bool hasPlanes =
     mapper->GetClippingPlanes() && mapper->GetClippingPlanes()->GetNumberOfItems() > 0;
   const struct
@@ -81,13 +79,13 @@ std::vector<Missing> whatIsMissing(vtkActor* actor, vtkLimnPolyDataMapper* mappe
     { property->GetRepresentation() == VTK_WIREFRAME, "wireframes", false },
     { property->GetRepresentation() == VTK_POINTS, "surfaces as points", false },
     { hasPlanes, "clipping planes", false },
-    { data->GetNumberOfVerts() > 0, "vertex cells", true },
-    { data->GetNumberOfLines() > 0, "line cells", true },
+    { input->GetNumberOfVerts() > 0, "vertex cells", true },
+    { input->GetNumberOfLines() > 0, "line cells", true },
     { property->GetEdgeVisibility() != 0, "edges on surfaces", true },
     { hasTexture(actor), "textures", true },
     { actor->GetBackfaceProperty() != nullptr, "back face properties", true },
     { property->GetInterpolation() == VTK_PBR, "physically based materials", true },
-    { mapper->GetScalarVisibility() && mapper->CanUseTextureMapForColoring(data),
+    { mapper->GetScalarVisibility() && mapper->CanUseTextureMapForColoring(input),
       "scalars interpolated before mapping", true },
     { isShifted(mapper), "shifts of coincident topology", true },
     { mapper->GetSelection() != nullptr, "marked selections", true },

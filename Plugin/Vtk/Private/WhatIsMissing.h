@@ -8,6 +8,7 @@
 
 class vtkActor;
 class vtkLimnPolyDataMapper;
+class vtkPolyData;
 class vtkRenderer;
 
 namespace limn::bridge
@@ -21,7 +22,8 @@ struct Missing
 };
 
 /// Empty if Limn draws all of it. Requires: the mapper's input is up to date.
-std::vector<Missing> whatIsMissing(vtkActor* actor, vtkLimnPolyDataMapper* mapper);
+std::vector<Missing> whatIsMissing(
+  vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkPolyData* input);
 
 } // namespace limn::bridge
 
