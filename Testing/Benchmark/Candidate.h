@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Candidate_h
+#define Candidate_h
+
+#include "Scenes.h"
+
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkActor;
+class vtkPolyDataMapper;
+
+/// One way of drawing the scenes.
+struct Way
+{
+  std::string Name;
+  vtkSmartPointer<vtkRenderWindow> (*MakeWindow)();
+  vtkSmartPointer<vtkRenderer> (*MakeRenderer)();
+  vtkSmartPointer<vtkActor> (*MakeActor)();
+  vtkSmartPointer<vtkPolyDataMapper> (*MakeMapper)();
+};
+
+/// Limn's window without OpenGL, Limn in an OpenGL window, VTK's own mapper in an OpenGL window.
+const std::array<Way, 3>& Ways();
+
+/// A scene in a window of one kind, seen from a camera that goes round it.
+class Candidate
+{
+public:
+  Candidate(const Way& way, const Scene& scene);
+
+  /// Returns milliseconds until the picture lies in memory.
+  double Draw();
+
+  std::string Name;
+  vtkSmartPointer<vtkRenderWindow> Window;
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkNew<vtkUnsignedCharArray> Pixels;
+};
+
+/// Pixels in which a channel differs by more than two levels. Both are RGBA.
+std::size_t CountDiffering(const unsigned char* a, const unsigned char* b, std::size_t pixels);
+
+#endif

@@ -1,0 +1,87 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Measure.h"
+
+#include "Candidate.h"
+#include "CoreScene.h"
+
+#include "Rendering/Base/Executor.h"
+
+#include "vtkLimnEngine.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace
+{
+constexpr int kFramesPerBlock = 5;
+
+struct Frames
+{
+  std::vector<double> OfBlock;
+  std::vector<double> All;
+};
+
+void DrawBlock(Candidate& candidate, Frames& frames)
+{
+  frames.OfBlock.clear();
+  for (int frame = 0; frame < kFramesPerBlock; ++frame)
+  {
+    const double milliseconds = candidate.Draw();
+    if (frame > 0)
+    {
+      frames.OfBlock.push_back(milliseconds);
+    }
+  }
+  frames.All.insert(frames.All.end(), frames.OfBlock.begin(), frames.OfBlock.end());
+}
+}
+
+double MedianOf(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+SceneResult Measure(const Scene& scene, int blocks)
+{
+  std::vector<std::unique_ptr<Candidate>> candidates;
+  std::vector<Frames> frames(Ways().size());
+  SceneResult result;
+  for (const Way& way : Ways())
+  {
+    candidates.push_back(std::make_unique<Candidate>(way, scene));
+    result.Ways.push_back({ way.Name, candidates.back()->Draw() });
+  }
+  Candidate& limn = *candidates.front();
+  const std::size_t pixels = static_cast<std::size_t>(scene.Width) * scene.Height;
+  const auto differing = [&](const unsigned char* picture)
+  { return CountDiffering(limn.Pixels->GetPointer(0), picture, pixels); };
+  const int threads = limn::resolveThreadCount(vtkLimnEngine::GetNumberOfThreads());
+  CoreScene replayed(limn.Renderer, std::max(scene.Samples, 1));
+  std::vector<limn::Rgba8> color;
+  std::vector<double> ofFull, ofOracle;
+  for (int block = 0; block < blocks; ++block)
+  {
+    for (std::size_t i = 0; i < candidates.size(); ++i)
+    {
+      DrawBlock(*candidates[i], frames[i]);
+      // The cameras have come to the same place.
+      result.Ways[i].DifferingPixels =
+        std::max(result.Ways[i].DifferingPixels, differing(candidates[i]->Pixels->GetPointer(0)));
+    }
+    result.Bound = MeasureLimit({ replayed.Look(), scene.Width, scene.Height, threads }, color);
+    result.ReplayDifferingPixels =
+      std::max(result.ReplayDifferingPixels, differing(&color.front().r));
+    const double frame = MedianOf(frames.front().OfBlock);
+    ofFull.push_back(result.Bound.Milliseconds(result.Bound.Full) / frame);
+    ofOracle.push_back(result.Bound.Milliseconds(result.Bound.Oracle) / frame);
+  }
+  for (std::size_t i = 0; i < frames.size(); ++i)
+  {
+    result.Ways[i].MedianMilliseconds = MedianOf(frames[i].All);
+  }
+  result.OfFullLimit = MedianOf(ofFull);
+  result.OfOracleLimit = MedianOf(ofOracle);
+  return result;
+}
