@@ -4,46 +4,60 @@
 // Frame times of Limn's window without OpenGL, of Limn composited into an OpenGL window, and of
 // VTK's own mapper in an OpenGL window, until the picture lies in memory. See limn_benchmark
 // --help.
+#include "Candidate.h"
+#include "Llvmpipe.h"
 #include "Measure.h"
 #include "Report.h"
 #include "Scenes.h"
-
-#include <vtkNew.h>
-#include <vtkRenderWindow.h>
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cstdio>
 #include <cstdlib>
+#include <exception>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace
 {
-/// Who draws for OpenGL, as it calls itself.
-std::string OpenGLRenderer()
-{
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->Render();
-  const std::string report = window->ReportCapabilities();
-  const std::string key = "OpenGL renderer string:";
-  const std::size_t at = report.find(key);
-  if (at == std::string::npos)
-  {
-    return {};
-  }
-  const std::size_t from = report.find_first_not_of(' ', at + key.size());
-  return report.substr(from, report.find('\n', from) - from);
-}
-
 constexpr char kAbout[] =
   "Frame times of Limn beside VTK's own OpenGL mapper, in milliseconds: medians and first frames, "
   "until the picture lies in memory. `ratio` is VTK's time by this one's, and `differ` counts "
-  "pixels that differ by more than two levels from Limn's window. The limit is what Limn's kernels "
+  "pixels that differ by more than two levels from Limn's window. The "
+  "limit is what Limn's kernels "
   "take when all that they read lies in the caches, or what the memory takes for the bytes of mesh "
   "and picture, whichever is more: `full` with all clusters, `oracle` with those that are seen.";
+
+std::vector<SceneMaker> MakersWith(const std::string& name)
+{
+  std::vector<SceneMaker> makers;
+  for (const SceneMaker& maker : SceneMakers())
+  {
+    if (maker.Name.find(name) != std::string::npos)
+    {
+      makers.push_back(maker);
+    }
+  }
+  return makers;
+}
+
+nlohmann::json Benchmark(const std::vector<SceneMaker>& makers, int blocks)
+{
+  // Children first, while this process has no threads and no OpenGL.
+  ChooseFastestLlvmpipe();
+  const std::string openGL = OpenGLRenderer();
+  std::printf("OpenGL is drawn by %s.\n", openGL.c_str());
+  nlohmann::json scenes = nlohmann::json::array();
+  for (const SceneMaker& maker : makers)
+  {
+    const Scene scene = maker.Make();
+    scenes.push_back(ToJson(scene, Measure(scene, blocks)));
+    Print(scenes.back());
+  }
+  return { { "OpenGL", openGL }, { "scenes", scenes } };
+}
 }
 
 int main(int argc, char* argv[])
@@ -58,34 +72,27 @@ int main(int argc, char* argv[])
   app.add_flag("--list", list, "print the scenes' names");
   CLI11_PARSE(app, argc, argv);
 
-  std::vector<SceneMaker> chosen;
-  for (const SceneMaker& maker : SceneMakers())
-  {
-    if (maker.Name.find(only) != std::string::npos)
-    {
-      chosen.push_back(maker);
-    }
-  }
+  const std::vector<SceneMaker> makers = MakersWith(only);
   if (list)
   {
-    for (const SceneMaker& maker : chosen)
+    for (const SceneMaker& maker : makers)
     {
       std::printf("%s\n", maker.Name.c_str());
     }
     return EXIT_SUCCESS;
   }
-
-  nlohmann::json report = { { "OpenGL", OpenGLRenderer() } };
-  std::printf("OpenGL is drawn by %s.\n", report["OpenGL"].get<std::string>().c_str());
-  for (const SceneMaker& maker : chosen)
+  try
   {
-    const Scene scene = maker.Make();
-    report["scenes"].push_back(ToJson(scene, Measure(scene, blocks)));
-    Print(report["scenes"].back());
+    const nlohmann::json report = Benchmark(makers, blocks);
+    if (!json.empty())
+    {
+      std::ofstream(json) << report.dump(2) << '\n';
+    }
   }
-  if (!json.empty())
+  catch (const std::exception& error)
   {
-    std::ofstream(json) << report.dump(2) << '\n';
+    std::fprintf(stderr, "limn_benchmark: %s\n", error.what());
+    return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;
 }

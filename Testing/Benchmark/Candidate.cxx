@@ -11,10 +11,13 @@
 
 #include <vtkCamera.h>
 #include <vtkOpenGLActor.h>
+#include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
 #include <cstdlib>
 
 namespace
@@ -72,6 +75,16 @@ double Candidate::Draw()
   const int* size = this->Window->GetSize();
   this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, this->Pixels);
   return time.Milliseconds();
+}
+
+int Candidate::SamplesPerPixel()
+{
+  if (auto* limn = vtkLimnRenderWindow::SafeDownCast(this->Window))
+  {
+    return limn->GetSamplesPerPixel();
+  }
+  auto* openGL = vtkOpenGLRenderWindow::SafeDownCast(this->Window);
+  return std::max(openGL->GetRenderFramebuffer()->GetMultiSamples(), 1);
 }
 
 std::size_t CountDiffering(const unsigned char* a, const unsigned char* b, std::size_t pixels)

@@ -41,6 +41,9 @@ public:
   /// Returns milliseconds until the picture lies in memory.
   double Draw();
 
+  /// In use, after a frame; 1 without multisampling.
+  int SamplesPerPixel();
+
   std::string Name;
   vtkSmartPointer<vtkRenderWindow> Window;
   vtkSmartPointer<vtkRenderer> Renderer;

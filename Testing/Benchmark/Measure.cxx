@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <memory>
+#include <stdexcept>
+#include <string>
 
 namespace
 {
@@ -48,17 +50,24 @@ SceneResult Measure(const Scene& scene, int blocks)
   std::vector<std::unique_ptr<Candidate>> candidates;
   std::vector<Frames> frames(Ways().size());
   SceneResult result;
+  const int samples = std::max(scene.Samples, 1);
   for (const Way& way : Ways())
   {
     candidates.push_back(std::make_unique<Candidate>(way, scene));
     result.Ways.push_back({ way.Name, candidates.back()->Draw() });
+    if (candidates.back()->SamplesPerPixel() != samples)
+    {
+      throw std::runtime_error(way.Name + " draws with " +
+                               std::to_string(candidates.back()->SamplesPerPixel()) +
+                               " samples a pixel, and not with " + std::to_string(samples) + ".");
+    }
   }
   Candidate& limn = *candidates.front();
   const std::size_t pixels = static_cast<std::size_t>(scene.Width) * scene.Height;
   const auto differing = [&](const unsigned char* picture)
   { return CountDiffering(limn.Pixels->GetPointer(0), picture, pixels); };
   const int threads = limn::resolveThreadCount(vtkLimnEngine::GetNumberOfThreads());
-  CoreScene replayed(limn.Renderer, std::max(scene.Samples, 1));
+  CoreScene replayed(limn.Renderer, samples);
   std::vector<limn::Rgba8> color;
   std::vector<double> ofFull, ofOracle;
   for (int block = 0; block < blocks; ++block)

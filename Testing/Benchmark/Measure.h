@@ -31,7 +31,8 @@ double MedianOf(std::vector<double> values);
 
 /// Each way draws a block of frames, in turn: a frame straight after another way's finds the caches
 /// full of that way's data, and its threads still at work. The first of each block is not counted.
-/// The limit is measured anew in each block.
+/// The limit is measured anew in each block. Throws if a window has
+/// not the samples that it was asked for.
 SceneResult Measure(const Scene& scene, int blocks);
 
 #endif

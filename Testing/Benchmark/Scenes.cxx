@@ -92,14 +92,6 @@ vtkSmartPointer<vtkPolyData> MakeGyroid(int samples)
   return contour->GetOutput();
 }
 
-Scene Torus(int side, int samples)
-{
-  Scene scene;
-  scene.Parts = { { MakeTorus(side), { 0, 0, 0 } } };
-  scene.Samples = samples;
-  return scene;
-}
-
 /// Sheets behind each other that fill a 4K picture.
 Scene Sheets(int layers)
 {
@@ -128,17 +120,36 @@ Scene Filling(vtkSmartPointer<vtkPolyData> data, int width, int height)
   return scene;
 }
 
-Scene ManyActors()
+}
+
+Scene TorusScene(int side, int samples)
 {
   Scene scene;
-  for (int i = 0; i < 1000; ++i)
+  scene.Parts = { { MakeTorus(side), { 0, 0, 0 } } };
+  scene.Samples = samples;
+  return scene;
+}
+
+Scene SphereScene(int width, int height)
+{
+  return Filling(MakeSphere(200, 200), width, height);
+}
+
+Scene ActorsScene(int count)
+{
+  int side = 1;
+  while (side * side * side < count)
   {
-    scene.Parts.push_back(
-      { MakeSphere(32, 17), { 1.2 * (i % 10), 1.2 * (i / 10 % 10), 1.2 * (i / 100) } });
+    ++side;
+  }
+  Scene scene;
+  for (int i = 0; i < count; ++i)
+  {
+    scene.Parts.push_back({ MakeSphere(32, 17),
+      { 1.2 * (i % side), 1.2 * (i / side % side), 1.2 * (i / side / side) } });
   }
   scene.Elevation = 20;
   return scene;
-}
 }
 
 long long Scene::CountTriangles() const
@@ -163,15 +174,15 @@ const std::vector<SceneMaker>& SceneMakers()
       } };
   };
   static const std::vector<SceneMaker> makers = {
-    named("torus 0.2M", [] { return Torus(316, 0); }),
-    named("torus 2M", [] { return Torus(1000, 0); }),
-    named("torus 18M", [] { return Torus(3000, 0); }),
-    named("torus 50M", [] { return Torus(5000, 0); }),
-    named("torus 2M, 4 samples", [] { return Torus(1000, 4); }),
+    named("torus 0.2M", [] { return TorusScene(316, 0); }),
+    named("torus 2M", [] { return TorusScene(1000, 0); }),
+    named("torus 18M", [] { return TorusScene(3000, 0); }),
+    named("torus 50M", [] { return TorusScene(5000, 0); }),
+    named("torus 2M, 4 samples", [] { return TorusScene(1000, 4); }),
     named("gyroid 3.5M", [] { return Filling(MakeGyroid(300), 1280, 720); }),
-    named("1000 actors", [] { return ManyActors(); }),
-    named("sphere 1080p", [] { return Filling(MakeSphere(200, 200), 1920, 1080); }),
-    named("sphere 4K", [] { return Filling(MakeSphere(200, 200), 3840, 2160); }),
+    named("1000 actors", [] { return ActorsScene(1000); }),
+    named("sphere 1080p", [] { return SphereScene(1920, 1080); }),
+    named("sphere 4K", [] { return SphereScene(3840, 2160); }),
     named("1 sheet 4K", [] { return Sheets(1); }),
     named("4 sheets 4K", [] { return Sheets(4); }),
     named("16 sheets 4K", [] { return Sheets(16); }),

@@ -37,6 +37,13 @@ struct SceneMaker
   std::function<Scene()> Make;
 };
 
+/// A torus of 2 side^2 triangles that just fits the picture.
+Scene TorusScene(int side, int samples);
+/// A sphere of 80 000 triangles that fills the picture.
+Scene SphereScene(int width, int height);
+/// Spheres of 960 triangles each in rows, layers and slices.
+Scene ActorsScene(int count);
+
 /// In the order of the table.
 const std::vector<SceneMaker>& SceneMakers();
 
