@@ -7,6 +7,7 @@
 #include "Candidate.h"
 #include "Llvmpipe.h"
 #include "Measure.h"
+#include "Memory.h"
 #include "Report.h"
 #include "Scenes.h"
 
@@ -25,7 +26,9 @@ namespace
 constexpr char kAbout[] =
   "Frame times of Limn beside VTK's own OpenGL mapper, in milliseconds: medians and first frames, "
   "until the picture lies in memory. `ratio` is VTK's time by this one's, and `differ` counts "
-  "pixels that differ by more than two levels from Limn's window. The "
+  "pixels that differ by more than two levels from Limn's window. Memory is what is used beyond "
+  "the "
+  "scene's own arrays: `B/tri` after some frames, by triangle, and `peak` while they are made. The "
   "limit is what Limn's kernels "
   "take when all that they read lies in the caches, or what the memory takes for the bytes of mesh "
   "and picture, whichever is more: `full` with all clusters, `oracle` with those that are seen.";
@@ -43,17 +46,38 @@ std::vector<SceneMaker> MakersWith(const std::string& name)
   return makers;
 }
 
+/// By scene, then by way.
+std::vector<std::vector<MemoryUse>> MeasureMemory(const std::vector<SceneMaker>& makers)
+{
+  std::vector<std::vector<MemoryUse>> uses;
+  for (const SceneMaker& maker : makers)
+  {
+    uses.emplace_back();
+    for (const Way& way : Ways())
+    {
+      uses.back().push_back(MeasureMemory(way, maker));
+    }
+  }
+  return uses;
+}
+
 nlohmann::json Benchmark(const std::vector<SceneMaker>& makers, int blocks)
 {
   // Children first, while this process has no threads and no OpenGL.
   ChooseFastestLlvmpipe();
+  const std::vector<std::vector<MemoryUse>> memory = MeasureMemory(makers);
   const std::string openGL = OpenGLRenderer();
   std::printf("OpenGL is drawn by %s.\n", openGL.c_str());
   nlohmann::json scenes = nlohmann::json::array();
-  for (const SceneMaker& maker : makers)
+  for (std::size_t i = 0; i < makers.size(); ++i)
   {
-    const Scene scene = maker.Make();
-    scenes.push_back(ToJson(scene, Measure(scene, blocks)));
+    const Scene scene = makers[i].Make();
+    SceneResult result = Measure(scene, blocks);
+    for (std::size_t way = 0; way < result.Ways.size(); ++way)
+    {
+      result.Ways[way].Memory = memory[i][way];
+    }
+    scenes.push_back(ToJson(scene, result));
     Print(scenes.back());
   }
   return { { "OpenGL", openGL }, { "scenes", scenes } };

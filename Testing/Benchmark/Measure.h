@@ -4,6 +4,7 @@
 #define Measure_h
 
 #include "Limit.h"
+#include "Memory.h"
 #include "Scenes.h"
 
 #include <cstddef>
@@ -15,6 +16,7 @@ struct WayResult
   std::string Name;
   double FirstMilliseconds = 0;
   double MedianMilliseconds = 0;
+  MemoryUse Memory = {};
   std::size_t DifferingPixels = 0; ///< from the first way's pictures; the most of any
 };
 
@@ -31,7 +33,7 @@ double MedianOf(std::vector<double> values);
 
 /// Each way draws a block of frames, in turn: a frame straight after another way's finds the caches
 /// full of that way's data, and its threads still at work. The first of each block is not counted.
-/// The limit is measured anew in each block. Throws if a window has
+/// The limit is measured anew in each block. Leaves Memory to the caller. Throws if a window has
 /// not the samples that it was asked for.
 SceneResult Measure(const Scene& scene, int blocks);
 

@@ -31,7 +31,9 @@ nlohmann::json ToJson(const Scene& scene, const SceneResult& result)
     figures["ways"].push_back({ { "way", way.Name }, { "median ms", way.MedianMilliseconds },
       { "first ms", way.FirstMilliseconds },
       { "Mtri/s", millions / (way.MedianMilliseconds * kPerThousand) },
-      { "ratio", peer / way.MedianMilliseconds }, { "differing pixels", way.DifferingPixels } });
+      { "ratio", peer / way.MedianMilliseconds },
+      { "bytes per triangle", way.Memory.Kept / scene.CountTriangles() },
+      { "peak MB", way.Memory.Peak * kPerMillion }, { "differing pixels", way.DifferingPixels } });
   }
   const Limit& limit = result.Bound;
   const auto perThread = [&](double milliseconds) { return milliseconds / limit.Threads; };
@@ -52,12 +54,15 @@ void Print(const nlohmann::json& figures)
   std::printf("\n%s: %lld triangles, %d x %d\n", figures["scene"].get<std::string>().c_str(),
     figures["triangles"].get<long long>(), figures["width"].get<int>(),
     figures["height"].get<int>());
-  std::printf("  %-12s %9s %9s %9s %9s %9s\n", "", "ms", "first ms", "Mtri/s", "ratio", "differ");
+  std::printf("  %-12s %9s %9s %9s %9s %9s %9s %9s\n", "", "ms", "first ms", "Mtri/s", "ratio",
+    "B/tri", "peak MB", "differ");
   for (const nlohmann::json& way : figures["ways"])
   {
-    std::printf("  %-12s %9.1f %9.0f %9.1f %8.1fx %9lld\n", way["way"].get<std::string>().c_str(),
-      way["median ms"].get<double>(), way["first ms"].get<double>(), way["Mtri/s"].get<double>(),
-      way["ratio"].get<double>(), way["differing pixels"].get<long long>());
+    std::printf("  %-12s %9.1f %9.0f %9.1f %8.1fx %9.0f %9.0f %9lld\n",
+      way["way"].get<std::string>().c_str(), way["median ms"].get<double>(),
+      way["first ms"].get<double>(), way["Mtri/s"].get<double>(), way["ratio"].get<double>(),
+      way["bytes per triangle"].get<double>(), way["peak MB"].get<double>(),
+      way["differing pixels"].get<long long>());
   }
   const nlohmann::json& limit = figures["limit"];
   for (const char* set : { "full", "oracle" })
