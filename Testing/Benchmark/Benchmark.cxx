@@ -9,6 +9,7 @@
 #include "Measure.h"
 #include "Memory.h"
 #include "Report.h"
+#include "Scaling.h"
 #include "Scenes.h"
 
 #include <CLI/CLI.hpp>
@@ -18,6 +19,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -82,17 +84,35 @@ nlohmann::json Benchmark(const std::vector<SceneMaker>& makers, int blocks)
   }
   return { { "OpenGL", openGL }, { "scenes", scenes } };
 }
+
+nlohmann::json Scaling()
+{
+  ChooseFastestLlvmpipe();
+  const std::string openGL = OpenGLRenderer();
+  return { { "OpenGL", openGL }, { "charts", MeasureScaling() } };
+}
+
+void Write(const std::string& path, const nlohmann::json& report)
+{
+  if (!(std::ofstream(path) << report.dump(2) << std::endl))
+  {
+    throw std::runtime_error(path + " cannot be written.");
+  }
+}
 }
 
 int main(int argc, char* argv[])
 {
   CLI::App app(kAbout);
-  std::string only, json;
+  std::string only, json, scaling;
   int blocks = 4;
   bool list = false;
   app.add_option("--only", only, "scenes whose name contains this");
   app.add_option("--blocks", blocks, "blocks of five frames a way")->check(CLI::Range(1, 1000));
   app.add_option("--json", json, "also write the figures to this file");
+  app.add_option("--scaling", scaling,
+    "instead, write to this file how the cost grows with triangles, pixels, samples, actors and "
+    "threads");
   app.add_flag("--list", list, "print the scenes' names");
   CLI11_PARSE(app, argc, argv);
 
@@ -107,10 +127,15 @@ int main(int argc, char* argv[])
   }
   try
   {
+    if (!scaling.empty())
+    {
+      Write(scaling, Scaling());
+      return EXIT_SUCCESS;
+    }
     const nlohmann::json report = Benchmark(makers, blocks);
     if (!json.empty())
     {
-      std::ofstream(json) << report.dump(2) << '\n';
+      Write(json, report);
     }
   }
   catch (const std::exception& error)

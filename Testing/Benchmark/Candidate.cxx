@@ -66,10 +66,15 @@ Candidate::Candidate(const Way& way, const Scene& scene) : Name(way.Name)
   this->Renderer->ResetCameraClippingRange();
 }
 
+void Candidate::Turn()
+{
+  constexpr double kDegrees = 3;
+  this->Renderer->GetActiveCamera()->Azimuth(kDegrees);
+  this->Renderer->ResetCameraClippingRange();
+}
+
 double Candidate::Draw()
 {
-  this->Renderer->GetActiveCamera()->Azimuth(3);
-  this->Renderer->ResetCameraClippingRange();
   const Stopwatch time;
   this->Window->Render();
   const int* size = this->Window->GetSize();

@@ -32,12 +32,14 @@ struct Way
 /// Limn's window without OpenGL, Limn in an OpenGL window, VTK's own mapper in an OpenGL window.
 const std::array<Way, 3>& Ways();
 
-/// A scene in a window of one kind, seen from a camera that goes round it.
+/// A scene in a window of one kind.
 class Candidate
 {
 public:
   Candidate(const Way& way, const Scene& scene);
 
+  /// Moves the camera on, round the scene.
+  void Turn();
   /// Returns milliseconds until the picture lies in memory.
   double Draw();
 

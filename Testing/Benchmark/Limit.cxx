@@ -258,6 +258,9 @@ private:
     this->Result.Shade += part.Shade;
     this->Result.Resolve += part.Resolve;
     this->Result.Fragments += part.Fragments;
+    ++this->Result.Tiles;
+    this->Result.LargestTile = std::max(
+      this->Result.LargestTile, part.Oracle.Sift + part.Oracle.Cover + part.Shade + part.Resolve);
     for (Floor Limit::*member : { &Limit::Full, &Limit::Oracle })
     {
       Floor& sum = this->Result.*member;

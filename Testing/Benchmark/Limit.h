@@ -41,6 +41,10 @@ struct Limit
   double Resolve = 0; ///< tiles cleared, and written to the picture
   std::size_t Fragments = 0;
 
+  // What a machine of many cores cannot get below: one thread draws a tile.
+  std::size_t Tiles = 0;  ///< that clusters meet
+  double LargestTile = 0; ///< milliseconds, with the clusters that are seen
+
   double MemoryMilliseconds(const Floor& floor) const;
   double ProcessorMilliseconds(const Floor& floor) const;
   /// The larger of the two: memory and processor may work at the same time.

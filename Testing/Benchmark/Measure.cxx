@@ -29,6 +29,7 @@ void DrawBlock(Candidate& candidate, Frames& frames)
   frames.OfBlock.clear();
   for (int frame = 0; frame < kFramesPerBlock; ++frame)
   {
+    candidate.Turn();
     const double milliseconds = candidate.Draw();
     if (frame > 0)
     {

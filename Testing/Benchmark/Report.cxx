@@ -42,6 +42,7 @@ nlohmann::json ToJson(const Scene& scene, const SceneResult& result)
     { "write GB/s", limit.WriteBytesPerMillisecond * kPerMillion },
     { "bound ms", perThread(limit.Bound) }, { "shade ms", perThread(limit.Shade) },
     { "resolve ms", perThread(limit.Resolve) }, { "fragments", limit.Fragments },
+    { "tiles", limit.Tiles }, { "largest tile ms", limit.LargestTile },
     { "full", ToJson(limit, limit.Full) }, { "oracle", ToJson(limit, limit.Oracle) },
     { "differing pixels", result.ReplayDifferingPixels } };
   figures["limit"]["full"]["fraction"] = result.OfFullLimit;
