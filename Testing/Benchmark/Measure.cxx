@@ -10,6 +10,7 @@
 #include "vtkLimnEngine.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -18,26 +19,28 @@ namespace
 {
 constexpr int kFramesPerBlock = 5;
 
-struct Frames
+void DrawBlock(Candidate& candidate, std::vector<double>& milliseconds)
 {
-  std::vector<double> OfBlock;
-  std::vector<double> All;
-};
-
-void DrawBlock(Candidate& candidate, Frames& frames)
-{
-  frames.OfBlock.clear();
   for (int frame = 0; frame < kFramesPerBlock; ++frame)
   {
     candidate.Turn();
-    const double milliseconds = candidate.Draw();
+    const double time = candidate.Draw();
     if (frame > 0)
     {
-      frames.OfBlock.push_back(milliseconds);
+      milliseconds.push_back(time);
     }
   }
-  frames.All.insert(frames.All.end(), frames.OfBlock.begin(), frames.OfBlock.end());
 }
+
+/// Milliseconds of the fastest of some frames of the same view.
+double FastestFrame(Candidate& candidate)
+{
+  double fastest = std::numeric_limits<double>::max();
+  for (int frame = 0; frame < kFramesPerBlock; ++frame)
+  {
+    fastest = std::min(fastest, candidate.Draw());
+  }
+  return fastest;
 }
 
 double MedianOf(std::vector<double> values)
@@ -45,11 +48,12 @@ double MedianOf(std::vector<double> values)
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
 }
+}
 
 SceneResult Measure(const Scene& scene, int blocks)
 {
   std::vector<std::unique_ptr<Candidate>> candidates;
-  std::vector<Frames> frames(Ways().size());
+  std::vector<std::vector<double>> frames(Ways().size());
   SceneResult result;
   const int samples = std::max(scene.Samples, 1);
   for (const Way& way : Ways())
@@ -83,13 +87,13 @@ SceneResult Measure(const Scene& scene, int blocks)
     result.Bound = MeasureLimit({ replayed.Look(), scene.Width, scene.Height, threads }, color);
     result.ReplayDifferingPixels =
       std::max(result.ReplayDifferingPixels, differing(&color.front().r));
-    const double frame = MedianOf(frames.front().OfBlock);
+    const double frame = FastestFrame(limn);
     ofFull.push_back(result.Bound.Milliseconds(result.Bound.Full) / frame);
     ofOracle.push_back(result.Bound.Milliseconds(result.Bound.Oracle) / frame);
   }
   for (std::size_t i = 0; i < frames.size(); ++i)
   {
-    result.Ways[i].MedianMilliseconds = MedianOf(frames[i].All);
+    result.Ways[i].MedianMilliseconds = MedianOf(frames[i]);
   }
   result.OfFullLimit = MedianOf(ofFull);
   result.OfOracleLimit = MedianOf(ofOracle);

@@ -24,12 +24,11 @@ struct SceneResult
 {
   std::vector<WayResult> Ways;
   Limit Bound;
-  /// Limit by frame time of the first way, medians of the blocks' ratios.
+  /// Limit by frame time of the first way, medians of the blocks' ratios. The frames show what the
+  /// limit was measured on, and of them, as of the limit's runs, the fastest counts.
   double OfFullLimit = 0, OfOracleLimit = 0;
   std::size_t ReplayDifferingPixels = 0; ///< of the picture that the limit's kernels drew
 };
-
-double MedianOf(std::vector<double> values);
 
 /// Each way draws a block of frames, in turn: a frame straight after another way's finds the caches
 /// full of that way's data, and its threads still at work. The first of each block is not counted.

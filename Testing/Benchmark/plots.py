@@ -42,6 +42,7 @@ def draw(chart, path):
     figure, axes = plt.subplots(figsize=(5, 3.2))
     (draw_speedup if chart["name"] == "threads" else draw_times)(axes, chart)
     if chart["name"] == "samples":
+        axes.set_xticks([1, 2, 4, 8], labels=["1", "2", "4", "8"])
         axes.xaxis.set_minor_locator(NullLocator())
     axes.set_xlabel(chart["x"])
     axes.grid(True, color="0.9")
