@@ -66,7 +66,17 @@ Status checkLight(const Light& light, std::size_t number)
   return {};
 }
 
-Status checkMaterial(const Instance& instance, const std::string& name)
+/// Becomes words only where there is something to say: a frame may have thousands of instances.
+struct InstanceName {
+  std::size_t number;
+};
+
+std::string operator+(InstanceName name, const char* rest)
+{
+  return "Instance " + std::to_string(name.number) + rest;
+}
+
+Status checkMaterial(const Instance& instance, InstanceName name)
 {
   const Material& m = instance.material;
   const Style& s = instance.style;
@@ -85,19 +95,19 @@ struct MeshSizes {
   std::size_t vertices, triangles;
 };
 
-Status checkSize(std::size_t size, std::size_t needed, const std::string& what)
+Status checkSize(std::size_t size, std::size_t needed, InstanceName name, const char* what)
 {
   if (size == 0 || size >= needed) return {};
-  return {Error::kSizeMismatch, what + ": " + std::to_string(size) + " values for " +
+  return {Error::kSizeMismatch, name + what + ": " + std::to_string(size) + " values for " +
                                     std::to_string(needed) + "; give one each or none."};
 }
 
-Status checkAttributes(const Instance& instance, MeshSizes sizes, const std::string& name)
+Status checkAttributes(const Instance& instance, MeshSizes sizes, InstanceName name)
 {
   const Attributes& a = instance.attributes;
   const Style& style = instance.style;
   if (!a.cells.empty() && a.cells.size() < sizes.triangles)
-    return checkSize(a.cells.size(), sizes.triangles, name + ": cells of triangles");
+    return checkSize(a.cells.size(), sizes.triangles, name, ": cells of triangles");
   const std::size_t cells = a.cells.empty() ? sizes.triangles : a.cellCount;
   const bool flat = style.frequency == ShadingFrequency::kFlat;
   if (flat && (a.faceCentroids.empty() || a.faceNormals.empty()) && sizes.triangles > 0)
@@ -117,14 +127,14 @@ Status checkAttributes(const Instance& instance, MeshSizes sizes, const std::str
                 {a.faceCentroids.size(), cells, ": face centroids"},
                 {a.faceNormals.size(), cells, ": face normals"}};
   for (const auto& check : checks)
-    if (Status status = checkSize(check.size, check.needed, name + check.what); !status.ok())
+    if (Status status = checkSize(check.size, check.needed, name, check.what); !status.ok())
       return status;
   return {};
 }
 
 Status checkInstance(const Instance& instance, std::size_t number, Backend backend)
 {
-  const std::string name = "Instance " + std::to_string(number);
+  const InstanceName name = {number};
   if (!isFinite(instance.modelToWorld))
     return {Error::kNotFinite, name + ": its matrix has a value that is not a finite number."};
   if (Status status = checkMaterial(instance, name); !status.ok()) return status;

@@ -12,6 +12,7 @@
 #include "vtkConeSource.h"
 #include "vtkFollower.h"
 #include "vtkMatrix4x4.h"
+#include "vtkObjectFactory.h"
 #include "vtkPropAssembly.h"
 #include "vtkTransform.h"
 #include "vtkTransformPolyDataFilter.h"
@@ -135,6 +136,42 @@ void checkDrawnAgain()
   CHECK_EQUAL(vtkLimnEngine::GetTriangles(), 2 * triangles);
 }
 
+class CameraTurner : public vtkProp
+{
+public:
+  static CameraTurner* New();
+  vtkTypeMacro(CameraTurner, vtkProp);
+
+  int RenderOpaqueGeometry(vtkViewport* viewport) override
+  {
+    static_cast<vtkRenderer*>(viewport)->GetActiveCamera()->Azimuth(30);
+    return 1;
+  }
+};
+vtkStandardNewMacro(CameraTurner);
+
+// What is drawn together is drawn again for another view.
+void checkCameraTurnedInBetween()
+{
+  ConeStage stage;
+  vtkNew<CameraTurner> turner;
+  stage.Renderer->AddViewProp(turner);
+  vtkNew<vtkLimnActor> second;
+  second->SetMapper(stage.Mapper);
+  second->SetPosition(0, 1.25, 0);
+  stage.Renderer->AddActor(second);
+  vtkNew<vtkLimnActor> third;
+  third->SetMapper(stage.Mapper);
+  third->SetPosition(0, -1.25, 0);
+  stage.Renderer->AddActor(third);
+  turner->VisibilityOff();
+  const Picture still = render(stage.Window);
+  const vtkIdType triangles = vtkLimnEngine::GetTriangles();
+  turner->VisibilityOn();
+  CHECK(!(render(stage.Window) == still));
+  CHECK_EQUAL(vtkLimnEngine::GetTriangles(), 2 * triangles);
+}
+
 void checkVisibility()
 {
   ConeStage stage;
@@ -196,6 +233,7 @@ int TestLimnActors(int, char*[])
   checkAssembly<vtkPropAssembly>();
   checkNestedAssemblies();
   checkDrawnAgain();
+  checkCameraTurnedInBetween();
   checkVisibility();
   checkOneMapperForTwoActors();
   checkFollower();

@@ -15,12 +15,14 @@
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkRenderer.h"
+#include "vtkTimeStamp.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <memory>
 #include <unordered_map>
+#include <utility>
 
 namespace limn::bridge
 {
@@ -132,12 +134,25 @@ SurfacePass::View SurfacePass::currentView() const
   return view;
 }
 
-bool SurfacePass::isSameView() const
+bool SurfacePass::isSameView()
 {
+  // The clock runs when any object is modified; between most actors nothing is.
+  vtkTimeStamp clock;
+  clock.Modified();
+  const vtkMTimeType before = std::exchange(timeOfView_, clock.GetMTime());
+  if (before + 1 == timeOfView_)
+  {
+    return true;
+  }
   const View now = this->currentView();
-  return std::memcmp(&now.camera.worldToView, &view_.camera.worldToView, sizeof(Mat4d)) == 0 &&
-         std::memcmp(&now.camera.viewToClip, &view_.camera.viewToClip, sizeof(Mat4d)) == 0 &&
-         std::equal(std::begin(now.place), std::end(now.place), std::begin(view_.place));
+  const bool isSame =
+    std::memcmp(&now.camera.worldToView, &view_.camera.worldToView, sizeof(Mat4d)) == 0 &&
+    std::memcmp(&now.camera.viewToClip, &view_.camera.viewToClip, sizeof(Mat4d)) == 0 &&
+    std::equal(std::begin(now.place), std::end(now.place), std::begin(view_.place));
+  // Composing the camera's matrices has set the clock going.
+  clock.Modified();
+  timeOfView_ = isSame ? clock.GetMTime() : 0;
+  return isSame;
 }
 
 const Surface* SurfacePass::crossOff(vtkActor* actor)
@@ -162,6 +177,7 @@ void SurfacePass::startPass()
     ++due.times;
   }
   view_ = this->currentView();
+  timeOfView_ = 0;
   isInPass_ = true;
   this->drawTogether(surfaces_);
 }

@@ -9,6 +9,8 @@
 #include "Rendering/FrameView.h"
 #include "Rendering/Renderer.h"
 
+#include "vtkType.h"
+
 #include <unordered_map>
 #include <vector>
 
@@ -41,7 +43,7 @@ public:
 
 private:
   const Surface* crossOff(vtkActor* actor);
-  bool isSameView() const;
+  bool isSameView();
   void startPass();
   void drawTogether(const std::vector<Surface>& surfaces);
   Status renderInto(const Scene& scene, double prepareMilliseconds);
@@ -61,6 +63,7 @@ private:
   std::vector<Surface> expected_;
   bool isInPass_ = false;
   View view_ = {};
+  vtkMTimeType timeOfView_ = 0;   ///< VTK's clock when the view was last seen to be the same
   std::vector<Surface> surfaces_; ///< of the pass
   /// By actors drawn already: their surfaces, and how often they are still to come.
   struct Due
