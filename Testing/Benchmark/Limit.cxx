@@ -183,15 +183,17 @@ private:
   std::vector<TileCluster> SeenOf(const TileClusters& clusters, const FragmentList& fragments)
   {
     std::vector<std::uint64_t> vertices(clusters.list.size(), 0);
-    for (std::size_t f = 0; f < fragments.count; ++f)
+    const auto note = [&](std::uint32_t owner)
     {
-      const std::uint32_t slot = TileOwner::slot(fragments.owner[f]);
-      const std::uint32_t triangle = TileOwner::triangle(fragments.owner[f]);
+      const std::uint32_t slot = TileOwner::slot(owner);
+      const std::uint32_t triangle = TileOwner::triangle(owner);
       for (int k = 0; k < 3; ++k)
       {
         vertices[slot] |= std::uint64_t{ 1 } << clusters.at(slot).corner(triangle, k);
       }
-    }
+    };
+    std::for_each_n(fragments.owner.begin(), fragments.count, note);
+    std::for_each_n(fragments.triangleOwner.begin(), fragments.triangleCount, note);
     std::vector<TileCluster> seen;
     for (std::size_t slot = 0; slot < vertices.size(); ++slot)
     {
@@ -212,7 +214,7 @@ private:
     const TileClusters clusters = { &this->Placed, ordered };
     const auto visible = std::make_unique<VisibilityTile>();
     FragmentList fragments;
-    Array<Rgba8> colors;
+    const auto colors = std::make_unique<TileColors>();
     FragmentShader shader;
 
     Limit part;
@@ -221,8 +223,8 @@ private:
     part.Shade += BestTime(
       [&]
       {
-        collectFragments(*visible, pixels, this->Samples, fragments);
-        shader.shade(clusters, pixels, this->Samples, fragments, colors);
+        collectFragments(*visible, pixels, this->Samples, Optimizations().fragmentRuns, fragments);
+        shader.shade(clusters, pixels, this->Samples, fragments, *colors);
       });
     const std::vector<TileCluster> seen = this->SeenOf(clusters, fragments);
     const auto scratch = std::make_unique<VisibilityTile>();
@@ -230,9 +232,11 @@ private:
     this->TimeClusters(seen, pixels, kOracle, *scratch, part.Oracle);
     // Last, as it changes the frame.
     const auto resolve = [&]
-    { resolveTile(clusters, *visible, pixels, fragments, colors, this->Frame); };
+    { resolveTile(clusters, *visible, pixels, fragments, *colors, this->Frame); };
     part.Resolve += this->TimeResolve(pixels, resolve);
     part.Fragments = fragments.count;
+    std::for_each_n(fragments.run.begin(), fragments.runCount,
+      [&](const FragmentRun& run) { part.Fragments += run.length; });
 
     const std::lock_guard<std::mutex> lock(this->ResultMutex);
     this->Add(part);
