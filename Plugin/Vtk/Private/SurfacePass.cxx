@@ -80,11 +80,14 @@ Drawables describeAll(const std::vector<Surface>& surfaces)
   drawables.actors.reserve(surfaces.size());
   for (const Surface& surface : surfaces)
   {
-    Instance instance;
-    if (describe(surface, instance))
+    // In place: half a kilobyte each.
+    if (describe(surface, drawables.instances.emplace_back()))
     {
-      drawables.instances.push_back(instance);
       drawables.actors.push_back(surface.actor);
+    }
+    else
+    {
+      drawables.instances.pop_back();
     }
   }
   return drawables;
