@@ -208,7 +208,8 @@ class Shader {
   Lighting lighting_;
   const Style& style_;
   FragmentLanes<Lanes> lanes_;
-  Lanes3 lit_[3];
+  // Not left to a default constructor, which GCC compiles without the target's instructions.
+  Lanes3 lit_[3] = {none(), none(), none()};
 };
 
 void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
