@@ -86,7 +86,7 @@ Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
   }
   cellsVersion_ = cells;
   pointsVersion_ = points;
-  computedNormals_ = {};
+  computedNormals_ = std::vector<Vec3f>();
   faces_ = {};
   points_.set(data->GetPoints()->GetData());
   return sameCells && refitClusters(this->view(), threads, clusters_)
@@ -126,8 +126,9 @@ void SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threa
   }
   if (!needs.triangles)
   {
-    // The pipeline reads clusters only, and of a large mesh these are hundreds of megabytes.
-    surface_.triangles = {};
+    // The pipeline reads clusters only, and of a large mesh these are hundreds of megabytes, which
+    // an empty list of initializers would keep.
+    surface_.triangles = Array<Triangle>();
   }
 }
 

@@ -207,7 +207,7 @@ SurfaceTriangles trianglesFromPolyData(vtkPolyData* data, int threads)
       { cutter.addStrip(ids, count, static_cast<std::uint32_t>(firstStrip + cell)); });
   if (isIdentity(surface.cells, data->GetNumberOfCells()))
   {
-    surface.cells = {};
+    surface.cells = std::vector<std::uint32_t>();
   }
   return surface;
 }

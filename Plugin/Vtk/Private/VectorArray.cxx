@@ -52,7 +52,7 @@ void VectorArray::update(vtkDataArray* array, vtkIdType tuples)
   span_ = packed<float>(array);
   if (!span_.empty())
   {
-    copy_ = {};
+    copy_ = std::vector<Vec3f>();
     return;
   }
   if (!isKnown)
@@ -65,7 +65,7 @@ void VectorArray::update(vtkDataArray* array, vtkIdType tuples)
 void PointArray::set(vtkDataArray* array)
 {
   array_ = array;
-  copy_ = {};
+  copy_ = std::vector<Vec3d>();
   floats_ = packed<float>(array);
   doubles_ = packed<double>(array);
   if (floats_.empty() && doubles_.empty())

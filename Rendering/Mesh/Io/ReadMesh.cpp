@@ -43,7 +43,7 @@ MeshFile readFile(const std::string& path, const std::function<bool(double)>& pr
   meshio::NormalForm form = normalize(source);
   source.takeBytes();
   meshio::RawMesh raw = meshio::parseNormalForm(source, form);
-  form.bytes = {};
+  form.bytes = std::string();
   MeshFile mesh = meshio::assembleMesh(source, std::move(form), std::move(raw));
   source.reportParsed(1, 1);
   return mesh;
