@@ -43,7 +43,7 @@ public:
     int Height;
     int Touched[4];
     int Samples;
-    const unsigned char* Color;    ///< RGBA; the mean of the covered samples
+    const unsigned char* Color;    ///< RGBA; the mean of the covered samples, opaque, or all zero
     const float* Depth;            ///< window depth in [0, 1] of the nearest covered sample
     const unsigned char* Coverage; ///< bit s set: sample s is covered; 0: nothing here
   };

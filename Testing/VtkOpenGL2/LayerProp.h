@@ -34,7 +34,7 @@ struct OwnedLayer
   {
     const size_t pixel = size_t(y) * this->View.Width + x;
     std::copy(rgb, rgb + 3, &this->Color[4 * pixel]);
-    this->Color[4 * pixel + 3] = 255;
+    this->Color[4 * pixel + 3] = coverage == 0 ? 0 : 255;
     this->Depth[pixel] = depth;
     this->Coverage[pixel] = coverage;
   }

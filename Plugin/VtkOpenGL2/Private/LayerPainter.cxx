@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LayerPainter.h"
 
-#include "SampleMatch.h"
-
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -17,6 +15,27 @@
 
 namespace
 {
+// With one sample on both sides. Only what shows nothing has no opacity.
+const char* const CopyPixel = R"(
+//VTK::System::Dec
+//VTK::Output::Dec
+in vec2 texCoord;
+uniform vec2 layerSize;
+uniform sampler2D colorPlane;
+uniform sampler2D depthPlane;
+void main()
+{
+  ivec2 pixel = ivec2(texCoord * layerSize);
+  vec4 color = texelFetch(colorPlane, pixel, 0);
+  if (color.a == 0.0)
+  {
+    discard;
+  }
+  gl_FragDepth = texelFetch(depthPlane, pixel, 0).r;
+  gl_FragData[0] = color;
+}
+)";
+
 // Fragments of nothing are discarded, so the rest of the picture and its depth stay as they are.
 const char* const FetchPixel = R"(
 //VTK::System::Dec
@@ -184,8 +203,12 @@ bool LayerPainter::Paint(const vtkLimnCompositor::Layer& layer)
   {
     return false;
   }
-  this->Upload(layer);
-  this->Draw(layer);
+  const std::vector<SamplePoint> framebuffer = FramebufferSamplePoints();
+  const Mix mix = !framebuffer.empty() && GLEW_ARB_sample_shading ? Mix::Masks
+                  : layer.Samples > 1                             ? Mix::Share
+                                                                  : Mix::None;
+  this->Upload(layer, mix);
+  this->Draw(layer, mix, framebuffer);
   this->Color.Texture->Deactivate();
   this->Depth.Texture->Deactivate();
   this->Coverage.Texture->Deactivate();
@@ -197,31 +220,35 @@ bool LayerPainter::Reserve(const vtkLimnCompositor::Layer& layer)
   // A window that lost its context has released the textures; the programs went with its cache.
   if (!this->Color.IsAllocated())
   {
-    this->MaskedQuad.reset();
-    this->BlendedQuad.reset();
+    this->Quads.clear();
   }
   return this->Color.Reserve(layer.Width, layer.Height) &&
          this->Depth.Reserve(layer.Width, layer.Height) &&
          this->Coverage.Reserve(layer.Width, layer.Height);
 }
 
-void LayerPainter::Upload(const vtkLimnCompositor::Layer& layer)
+void LayerPainter::Upload(const vtkLimnCompositor::Layer& layer, Mix mix)
 {
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, layer.Width);
   this->Color.Upload(layer, layer.Color);
   this->Depth.Upload(layer, layer.Depth);
-  this->Coverage.Upload(layer, layer.Coverage);
+  if (mix != Mix::None)
+  {
+    this->Coverage.Upload(layer, layer.Coverage);
+  }
   state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-vtkOpenGLQuadHelper& LayerPainter::ReadyQuad(bool masked)
+vtkOpenGLQuadHelper& LayerPainter::ReadyQuad(Mix mix)
 {
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = masked ? this->MaskedQuad : this->BlendedQuad;
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[mix];
   if (!quad)
   {
-    const std::string shader = std::string(FetchPixel) + (masked ? WriteSamples : WriteShare);
+    const std::string shader =
+      mix == Mix::None ? std::string(CopyPixel)
+                       : std::string(FetchPixel) + (mix == Mix::Masks ? WriteSamples : WriteShare);
     quad.reset(new vtkOpenGLQuadHelper(this->Window, nullptr, shader.c_str(), nullptr));
   }
   else
@@ -231,11 +258,9 @@ vtkOpenGLQuadHelper& LayerPainter::ReadyQuad(bool masked)
   return *quad;
 }
 
-void LayerPainter::Draw(const vtkLimnCompositor::Layer& layer)
+void LayerPainter::Draw(
+  const vtkLimnCompositor::Layer& layer, Mix mix, const std::vector<SamplePoint>& framebuffer)
 {
-  const std::vector<SamplePoint> framebuffer = FramebufferSamplePoints();
-  const bool masked = !framebuffer.empty() && GLEW_ARB_sample_shading;
-
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
   vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
@@ -247,7 +272,7 @@ void LayerPainter::Draw(const vtkLimnCompositor::Layer& layer)
   vtkOpenGLState::ScopedglDepthMask depthMaskSaver(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFuncSaver(state);
   state->vtkglDisable(GL_CULL_FACE);
-  state->SetEnumState(GL_BLEND, !masked && layer.Samples > 1);
+  state->SetEnumState(GL_BLEND, mix == Mix::Share);
   state->vtkglBlendFuncSeparate(
     GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->vtkglEnable(GL_DEPTH_TEST);
@@ -256,27 +281,27 @@ void LayerPainter::Draw(const vtkLimnCompositor::Layer& layer)
   state->vtkglDepthMask(GL_TRUE);
   NarrowScissor(state, TouchedRectangle(layer));
 
-  vtkOpenGLQuadHelper& quad = this->ReadyQuad(masked);
+  vtkOpenGLQuadHelper& quad = this->ReadyQuad(mix);
   const float size[2] = { static_cast<float>(layer.Width), static_cast<float>(layer.Height) };
   quad.Program->SetUniform2f("layerSize", size);
-  const Rectangle rectangle = TouchedRectangle(layer);
-  const float touched[4] = { static_cast<float>(rectangle.X), static_cast<float>(rectangle.Y),
-    static_cast<float>(rectangle.X + rectangle.Width),
-    static_cast<float>(rectangle.Y + rectangle.Height) };
-  quad.Program->SetUniform4f("touched", touched);
   quad.Program->SetUniformi("colorPlane", this->Color.Texture->GetTextureUnit());
   quad.Program->SetUniformi("depthPlane", this->Depth.Texture->GetTextureUnit());
-  quad.Program->SetUniformi("coveragePlane", this->Coverage.Texture->GetTextureUnit());
-  if (masked)
+  if (mix != Mix::None)
+  {
+    const Rectangle rectangle = TouchedRectangle(layer);
+    const float touched[4] = { static_cast<float>(rectangle.X), static_cast<float>(rectangle.Y),
+      static_cast<float>(rectangle.X + rectangle.Width),
+      static_cast<float>(rectangle.Y + rectangle.Height) };
+    quad.Program->SetUniform4f("touched", touched);
+    quad.Program->SetUniformi("coveragePlane", this->Coverage.Texture->GetTextureUnit());
+    quad.Program->SetUniformi("sampleCount", layer.Samples);
+  }
+  if (mix == Mix::Masks)
   {
     const std::vector<int> match = MatchSamples(LayerSamplePoints(layer.Samples), framebuffer);
     const int count = static_cast<int>(std::min<std::size_t>(match.size(), 32));
     quad.Program->SetUniformi("sampleCount", count);
     quad.Program->SetUniform1iv("layerSample", count, match.data());
-  }
-  else
-  {
-    quad.Program->SetUniformi("sampleCount", layer.Samples);
   }
   quad.Render();
 }

@@ -3,13 +3,17 @@
 #ifndef LayerPainter_h
 #define LayerPainter_h
 
+#include "SampleMatch.h"
+
 #include "vtkLimnCompositor.h"
 
 #include "vtkNew.h"
 #include "vtkOpenGLQuadHelper.h"
 #include "vtkTextureObject.h"
 
+#include <map>
 #include <memory>
+#include <vector>
 
 class vtkOpenGLRenderWindow;
 
@@ -40,17 +44,25 @@ private:
     int VtkType;
   };
 
+  /// How the layer's samples become those of the framebuffer.
+  enum class Mix
+  {
+    None,  ///< one to one
+    Masks, ///< by coverage, for each sample
+    Share, ///< by coverage, blended
+  };
+
   bool Reserve(const vtkLimnCompositor::Layer& layer);
-  void Upload(const vtkLimnCompositor::Layer& layer);
-  vtkOpenGLQuadHelper& ReadyQuad(bool masked);
-  void Draw(const vtkLimnCompositor::Layer& layer);
+  void Upload(const vtkLimnCompositor::Layer& layer, Mix mix);
+  vtkOpenGLQuadHelper& ReadyQuad(Mix mix);
+  void Draw(
+    const vtkLimnCompositor::Layer& layer, Mix mix, const std::vector<SamplePoint>& framebuffer);
 
   vtkOpenGLRenderWindow* Window;
   Plane Color;
   Plane Depth;
   Plane Coverage;
-  std::unique_ptr<vtkOpenGLQuadHelper> MaskedQuad;
-  std::unique_ptr<vtkOpenGLQuadHelper> BlendedQuad;
+  std::map<Mix, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
 };
 
 #endif
