@@ -252,10 +252,10 @@ struct TriangleFragments {
   static constexpr std::size_t kCapacity = 256;
   static constexpr std::size_t kRoom = kCapacity + HWY_MAX_BYTES / sizeof(float);
 
-  std::size_t count;
   alignas(64) std::int32_t pixel[kRoom];
   alignas(64) float weight[3][kRoom];
   alignas(64) std::uint32_t color[kRoom];
+  std::size_t count;  ///< last, so that the arrays leave no gaps
 
   /// Takes runs until full; returns the first that has no room, or FragmentRun::kNone.
   std::uint16_t take(const FragmentList& fragments, std::uint16_t run)
