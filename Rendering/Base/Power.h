@@ -7,7 +7,7 @@
 #include <cstring>
 
 /// Powers and a cosine made of + - * / only, so that they give the same bits everywhere; libm's do
-/// not (facts: it picks other code on CPUs with FMA). Shading/Simd-inl.h has the vector form of
+/// not (facts: it picks other code on CPUs with FMA). Power-inl.h has the vector form of
 /// power() with the same operations in the same order.
 namespace limn {
 

@@ -3,29 +3,14 @@
 //
 // The light equations of Reference/ReferenceShading.cpp, one fragment a lane, operation by
 // operation. Compiled once per instruction set by LightFragments.cpp.
-#include "Rendering/Base/Simd.h"
+#include "Rendering/Base/Lanes-inl.h"
+#include "Rendering/Base/Power-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-using D = hn::ScalableTag<float>;
-using V = hn::Vec<D>;
-using M = hn::Mask<D>;
-
-struct Lanes3 {
-  V x, y, z;
-};
-
-HWY_INLINE V set(float value)
-{
-  return hn::Set(D(), value);
-}
-HWY_INLINE Lanes3 set(Vec3f v)
-{
-  return {set(v.x), set(v.y), set(v.z)};
-}
 HWY_INLINE Lanes3 load(const FragmentBatch::Vectors& v, std::size_t i)
 {
   return {hn::Load(D(), v.x + i), hn::Load(D(), v.y + i), hn::Load(D(), v.z + i)};
@@ -35,101 +20,6 @@ HWY_INLINE void store(Lanes3 v, FragmentBatch::Vectors& to, std::size_t i)
   hn::Store(v.x, D(), to.x + i);
   hn::Store(v.y, D(), to.y + i);
   hn::Store(v.z, D(), to.z + i);
-}
-
-HWY_INLINE Lanes3 add(Lanes3 a, Lanes3 b)
-{
-  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z)};
-}
-HWY_INLINE Lanes3 sub(Lanes3 a, Lanes3 b)
-{
-  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z)};
-}
-HWY_INLINE Lanes3 mul(Lanes3 a, Lanes3 b)
-{
-  return {hn::Mul(a.x, b.x), hn::Mul(a.y, b.y), hn::Mul(a.z, b.z)};
-}
-HWY_INLINE Lanes3 mul(Lanes3 a, V s)
-{
-  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
-}
-HWY_INLINE Lanes3 neg(Lanes3 a)
-{
-  return {hn::Neg(a.x), hn::Neg(a.y), hn::Neg(a.z)};
-}
-HWY_INLINE Lanes3 choose(M mask, Lanes3 yes, Lanes3 no)
-{
-  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
-          hn::IfThenElse(mask, yes.z, no.z)};
-}
-HWY_INLINE V dot(Lanes3 a, Lanes3 b)
-{
-  return hn::Add(hn::Add(hn::Mul(a.x, b.x), hn::Mul(a.y, b.y)), hn::Mul(a.z, b.z));
-}
-HWY_INLINE Lanes3 cross(Lanes3 a, Lanes3 b)
-{
-  return {hn::Sub(hn::Mul(a.y, b.z), hn::Mul(a.z, b.y)),
-          hn::Sub(hn::Mul(a.z, b.x), hn::Mul(a.x, b.z)),
-          hn::Sub(hn::Mul(a.x, b.y), hn::Mul(a.y, b.x))};
-}
-HWY_INLINE M isPositive(V x)
-{
-  return hn::Gt(x, hn::Zero(D()));
-}
-HWY_INLINE V positive(V x)
-{
-  return hn::IfThenElseZero(isPositive(x), x);
-}
-HWY_INLINE V reciprocalIfPositive(V x, V denominator)
-{
-  return hn::IfThenElseZero(isPositive(x), hn::Div(set(1.0f), denominator));
-}
-HWY_INLINE Lanes3 normalized(Lanes3 a)
-{
-  const V squared = dot(a, a);
-  return mul(a, reciprocalIfPositive(squared, hn::Sqrt(squared)));
-}
-
-HWY_INLINE V log2Normal(V x)
-{
-  using namespace power_detail;
-  const hn::RebindToSigned<D> di;
-  const auto bits = hn::BitCast(di, x);
-  const auto exponent = hn::ShiftRight<23>(hn::Sub(bits, hn::Set(di, kSqrtHalfBits)));
-  const V mantissa = hn::BitCast(D(), hn::Sub(bits, hn::ShiftLeft<23>(exponent)));
-  const V f = hn::Sub(mantissa, set(1.0f));
-  const V s = hn::Div(f, hn::Add(f, set(2.0f)));
-  const V s2 = hn::Mul(s, s);
-  V series = set(kLog2Series[4]);
-  for (int k = 3; k >= 0; --k)
-    series = hn::Add(set(kLog2Series[k]), hn::Mul(s2, series));
-  return hn::Add(hn::ConvertTo(D(), exponent), hn::Mul(s, series));
-}
-
-HWY_INLINE V exp2Clamped(V y)
-{
-  using namespace power_detail;
-  const hn::RebindToSigned<D> di;
-  const M inRange = hn::Ge(y, set(-126.0f));
-  const V bounded =
-      hn::IfThenElse(hn::Lt(y, set(127.0f)), hn::IfThenElseZero(inRange, y), set(127.0f));
-  const auto whole = hn::NearestInt(bounded);
-  const V f = hn::Sub(bounded, hn::ConvertTo(D(), whole));
-  V series = set(kExp2Series[6]);
-  for (int k = 5; k >= 0; --k)
-    series = hn::Add(set(kExp2Series[k]), hn::Mul(f, series));
-  const V scale = hn::BitCast(D(), hn::ShiftLeft<23>(hn::Add(whole, hn::Set(di, 127))));
-  const V result = hn::Mul(hn::Add(set(1.0f), hn::Mul(f, series)), scale);
-  return hn::IfThenElseZero(inRange, result);
-}
-
-/// power() of Base/Power.h.
-HWY_INLINE V powerOf(V x, float p)
-{
-  if (p == 0.0f) return set(1.0f);
-  const M normal = hn::Ge(x, set(power_detail::kSmallestNormal));
-  const V safe = hn::IfThenElse(normal, x, set(1.0f));
-  return hn::IfThenElseZero(normal, exp2Clamped(hn::Mul(set(p), log2Normal(safe))));
 }
 
 struct Surface {
