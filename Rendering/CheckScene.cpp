@@ -38,6 +38,11 @@ Status checkFrame(const Scene& scene, const FrameView& frame)
     return {Error::kInvalidImageSize, "The image's row stride is smaller than its width."};
   if (frame.color == nullptr || frame.depth == nullptr)
     return {Error::kMissingData, "The image has no colour or no depth plane."};
+  const RadianceView& radiance = frame.radiance;
+  if ((radiance.r == nullptr) != (radiance.g == nullptr) ||
+      (radiance.r == nullptr) != (radiance.b == nullptr))
+    return {Error::kMissingData,
+            "The image has one or two planes of radiance; give three or none."};
   if (scene.samples != 1 && scene.samples != 2 && scene.samples != 4 && scene.samples != 8)
     return {Error::kInvalidSampleCount,
             "Samples per pixel: " + std::to_string(scene.samples) + " is not one of 1, 2, 4, 8."};

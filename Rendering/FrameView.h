@@ -33,6 +33,18 @@ struct FrameClear {
   float depth = 1;  ///< 0 to 1
 };
 
+/// Planes of colour before it is clamped and rounded to bytes, for post effects: full intensity is
+/// 1, values are 0 to kMaxRadiance (larger ones become that, and what is not a number 0).
+struct RadianceView {
+  float* r = nullptr;
+  float* g = nullptr;
+  float* b = nullptr;
+
+  bool empty() const { return r == nullptr; }
+};
+/// The largest half float, which bounds the render targets of graphics cards too.
+inline constexpr float kMaxRadiance = 65504;
+
 /// Where a picture goes: borrowed rows, row 0 at the bottom, as glReadPixels has it. The scene is
 /// drawn over what the frame holds: `color` and `depth` are read and written.
 struct FrameView {
@@ -47,6 +59,11 @@ struct FrameView {
   std::uint32_t* cell = nullptr;      ///< cell of the nearest sample; may be null
   Background background = Background::kBlend;
   FrameClear clear;
+  /// All three or none. Read and written as `color` is, but for the mean of a pixel's samples,
+  /// which is linear here: the sum over the triangles seen, in the order of their first samples, of
+  /// colour times number of samples, and the old value likewise where Background::kBlend asks for
+  /// it.
+  RadianceView radiance;
 };
 // Pixels that show no instance keep their old values, or those of `clear`, in every plane.
 

@@ -5,10 +5,13 @@
 #include "Rendering/Base/Executor.h"
 #include "Rendering/Base/FloatMode.h"
 #include "Rendering/Binning/BinClusters.h"
+#include "Rendering/CheckEffects.h"
 #include "Rendering/CheckScene.h"
 #include "Rendering/Post/ClearPixels.h"
+#include "Rendering/Post/EffectPass.h"
 #include "Rendering/Post/ResolveTile.h"
 #include "Rendering/Raster/VisibilityTile.h"
+#include "Rendering/Reference/ReferenceEffects.h"
 #include "Rendering/Reference/ReferenceRenderer.h"
 #include "Rendering/Shading/Fragments.h"
 #include "Rendering/Vertex/PlacedScene.h"
@@ -73,6 +76,7 @@ std::size_t drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t
   const std::size_t occluded = rasterizeTile(clusters, pixels, samples, memory.visible);
   collectFragments(memory.visible, pixels, samples, scene.optimizations.fragmentRuns,
                    memory.fragments);
+  memory.colors.hasRadiance = !frame.radiance.empty();
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
   resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
   return occluded;
@@ -141,6 +145,27 @@ Status render(const Scene& scene, const FrameView& frame, const RenderOptions& o
     return status;
   }
   if (stats != nullptr) *stats = frameStats;
+  return {};
+}
+
+Status applyEffects(const PostEffects& effects, const Camera& camera, const FrameView& frame,
+                    EffectPlanes& planes, const RenderOptions& options)
+{
+  const FloatMode mode;
+  if (Status status = checkEffects(effects, camera, frame); !status.ok()) return status;
+  if (options.backend == Backend::kReference) {
+    reference::applyEffects(effects, camera, frame);
+    return {};
+  }
+  const EffectPass pass = {effects, frame, planes, options.threads};
+  if (effects.needRadiance()) {
+    exposeRadiance(pass);
+    if (effects.depthOfField.aperture > 0)
+      blurOutOfFocus(pass, thinLens(effects.depthOfField, camera, frame.height));
+    if (effects.bloom.strength > 0) addBloom(pass);
+    mapTones(pass);
+  }
+  if (effects.fxaa.enabled) smoothEdges(pass);
   return {};
 }
 

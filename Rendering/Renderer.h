@@ -5,6 +5,7 @@
 #include "Rendering/Base/Status.h"
 #include "Rendering/FrameView.h"
 #include "Rendering/Optimizations.h"
+#include "Rendering/PostEffects.h"
 #include "Rendering/Scene.h"
 
 #include <cstddef>
@@ -45,6 +46,17 @@ struct RenderStats {
 /// kMissingData, kTooManyPrimitives. On an error nothing is drawn.
 Status render(const Scene& scene, const FrameView& frame, const RenderOptions& options = {},
               RenderStats* stats = nullptr);
+
+class EffectPlanes;  // Rendering/Post/EffectPlanes.h
+
+/// Does what `effects` ask for to the colours of a finished picture: of its surfaces, whatever
+/// number of render() calls drew them, and its background. `frame.radiance` is required where
+/// PostEffects::needRadiance() says so, and to have been in the frame when the surfaces were drawn;
+/// `camera` gives depths their distances. The picture depends on nothing else, as render()'s.
+/// Errors, on which nothing is changed: kNotFinite (a setting is out of its range),
+/// kInvalidImageSize, kMissingData.
+Status applyEffects(const PostEffects& effects, const Camera& camera, const FrameView& frame,
+                    EffectPlanes& planes, const RenderOptions& options = {});
 
 /// Names of the instruction sets that the kernels are built for and this CPU has, best first
 /// ("AVX3", "AVX2", "SSE4", "SSSE3"; "NEON" on AArch64).

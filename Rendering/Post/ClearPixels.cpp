@@ -21,6 +21,10 @@ void clearPixels(const FrameView& frame, const TileRectangle& pixels)
         std::copy_n(row(pixels.y0), width, row(y));
   };
   fill(frame.color, frame.clear.color);
+  const auto intensity = [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; };
+  fill(frame.radiance.r, intensity(frame.clear.color.r));
+  fill(frame.radiance.g, intensity(frame.clear.color.g));
+  fill(frame.radiance.b, intensity(frame.clear.color.b));
   fill(frame.depth, frame.clear.depth);
   fill(frame.coverage, std::uint8_t{0});
   fill(frame.instance, kNobody);

@@ -93,6 +93,13 @@ struct Sample {
   Owner owner;
 };
 
+/// A triangle in a pixel, and how many of the pixel's samples show it.
+struct SeenTriangle {
+  Owner owner;
+  Vec3f radiance;
+  std::size_t samples;
+};
+
 /// An instance with its transform, and its triangles on the screen.
 class PlacedInstance {
  public:
@@ -219,6 +226,11 @@ std::uint8_t toByte(float x)
   return static_cast<std::uint8_t>(std::nearbyint(bounded * 255.0f));
 }
 
+float radiance(float x)
+{
+  return x > 0.0f ? (x < kMaxRadiance ? x : kMaxRadiance) : 0.0f;
+}
+
 std::uint8_t meanByte(const std::uint8_t* bytes, int count, Resolve resolve)
 {
   std::uint32_t sum = 0;
@@ -327,7 +339,7 @@ class Picture {
     return count == offsets_.size() ? kPixelCentre : offsets_[first];
   }
 
-  Rgba8 shadeOwner(int x, int y, Owner owner)
+  Vec3f shadeOwner(int x, int y, Owner owner)
   {
     const PlacedInstance& placed = placed_[owner.instance];
     const Point p = position(x, y, shadingOffset(x, y, owner));
@@ -337,15 +349,14 @@ class Picture {
                               [&](const ScreenTriangle& t) { return t.covers(p); });
     if (piece == pieces.end()) piece = pieces.begin();
     const SurfacePoint point = surfacePoint(*piece, owner.triangle, placed.transform().mirrored, p);
-    const Vec3f color =
-        shade(scene_, placed.instance(), placed.transform(), placed.origin(), lights_, point);
-    return {toByte(color.x), toByte(color.y), toByte(color.z), 255};
+    return shade(scene_, placed.instance(), placed.transform(), placed.origin(), lights_, point);
   }
 
   void resolve(int x, int y)
   {
     const std::ptrdiff_t index = frameIndex(x, y);
     std::vector<Rgba8> colors;
+    std::vector<SeenTriangle> triangles;
     std::uint8_t coverage = 0;
     const Sample* nearest = nullptr;
     for (std::size_t s = 0; s < offsets_.size(); ++s) {
@@ -354,7 +365,9 @@ class Picture {
         if (frame_.background == Background::kBlend) colors.push_back(frame_.color[index]);
         continue;
       }
-      colors.push_back(shadeOwner(x, y, here.owner));
+      const Vec3f color = shadeOwner(x, y, here.owner);
+      colors.push_back({toByte(color.x), toByte(color.y), toByte(color.z), 255});
+      note(triangles, here.owner, color);
       coverage = static_cast<std::uint8_t>(coverage | (1u << s));
       if (nearest == nullptr || here.depth < nearest->depth ||
           (here.depth == nearest->depth && drawnLater(here.owner, nearest->owner)))
@@ -362,6 +375,7 @@ class Picture {
     }
     if (nearest == nullptr) return;
     frame_.color[index] = meanColor(colors, scene_.resolve);
+    if (!frame_.radiance.empty()) writeRadiance(triangles, index);
     frame_.depth[index] = nearest->depth;
     if (frame_.coverage != nullptr) frame_.coverage[index] = coverage;
     const Instance& instance = placed_[nearest->owner.instance].instance();
@@ -370,6 +384,37 @@ class Picture {
       frame_.cell[index] = instance.attributes.cells.empty()
                                ? nearest->owner.triangle
                                : instance.attributes.cells[nearest->owner.triangle];
+  }
+
+  static void note(std::vector<SeenTriangle>& triangles, Owner owner, Vec3f color)
+  {
+    const auto seen =
+        std::find_if(triangles.begin(), triangles.end(),
+                     [&](const SeenTriangle& triangle) { return triangle.owner == owner; });
+    if (seen != triangles.end())
+      ++seen->samples;
+    else
+      triangles.push_back({owner, {radiance(color.x), radiance(color.y), radiance(color.z)}, 1});
+  }
+
+  void writeRadiance(const std::vector<SeenTriangle>& triangles, std::ptrdiff_t index)
+  {
+    Vec3f sum = {0, 0, 0};
+    std::size_t covered = 0;
+    for (const SeenTriangle& triangle : triangles) {
+      sum = sum + triangle.radiance * static_cast<float>(triangle.samples);
+      covered += triangle.samples;
+    }
+    const RadianceView& out = frame_.radiance;
+    if (covered < offsets_.size() && frame_.background == Background::kBlend) {
+      sum = sum + Vec3f{out.r[index], out.g[index], out.b[index]} *
+                      static_cast<float>(offsets_.size() - covered);
+      covered = offsets_.size();
+    }
+    const auto count = static_cast<float>(covered);
+    out.r[index] = sum.x / count;
+    out.g[index] = sum.y / count;
+    out.b[index] = sum.z / count;
   }
 
   static bool drawnLater(Owner a, Owner b)

@@ -51,10 +51,24 @@ struct alignas(64) FragmentBatch {
   int count = 0;            ///< last, so that every array starts at a multiple of 64 bytes
 };
 
+/// Colours before they are clamped to bytes, one array a channel; 0 to kMaxRadiance.
+struct RadianceArrays {
+  Array<float> r, g, b;
+
+  void resize(std::size_t size)
+  {
+    r.resize(size);
+    g.resize(size);
+    b.resize(size);
+  }
+};
+
 /// Colours of the fragments of one tile; alpha 255.
 struct TileColors {
-  Array<Rgba8> fragment;                 ///< as FragmentList lists them
-  alignas(64) Rgba8 pixel[kTilePixels];  ///< where runs lie
+  Array<Rgba8> fragment;                           ///< as FragmentList lists them
+  alignas(64) Rgba8 pixel[kTilePixels];            ///< where runs lie
+  bool hasRadiance = false;                        ///< asks the shader for the two below
+  RadianceArrays fragmentRadiance, pixelRadiance;  ///< of `fragment` and `pixel`
 };
 
 class FragmentShader {
@@ -73,6 +87,8 @@ class FragmentShader {
   void fillBatch(const TileClusters& clusters, const PlacedInstance& placed,
                  const TileRectangle& pixels);
   void placeClippedFragments(const TileClusters& clusters);
+  /// Of the batch, whose fragments have these numbers in the tile.
+  void keepRadiance(Span<const std::uint32_t> numbers, RadianceArrays& fragments);
 
   FragmentBatch batch_;
   std::uint32_t clippedOwner_ = kNobody;  ///< of the tile being shaded
@@ -110,5 +126,7 @@ void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
                     const FragmentBatch& batch, TileColors& colors);
 /// Clamps to [0, 1], scales to bytes, rounds to even.
 void quantizeFragments(const FragmentBatch& batch, Rgba8* colors);
+/// Clamps the batch's colours to what a RadianceView holds.
+void boundRadiance(FragmentBatch& batch);
 
 }  // namespace limn

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compiled once per instruction set by LightFragments.cpp.
+#include "Rendering/Base/ColorBytes-inl.h"
 #include "Rendering/Base/Simd.h"
 #include "Rendering/Shading/LightEquations-inl.h"
 
@@ -224,17 +225,26 @@ void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
 }
 
 /// Words that are an Rgba8 each; the lowest byte comes first.
-HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> quantized(Lanes3 color)
+HWY_INLINE Words quantized(Lanes3 color)
 {
-  const hn::RebindToUnsigned<D> du;
-  const auto toByte = [&](V value) HWY_ATTR {
-    const V bounded = hn::IfThenElse(hn::Lt(value, set(1.0f)), positive(value), set(1.0f));
-    // A value that is not a number fails both comparisons; the scalar code makes it 0.
-    const V proper = hn::IfThenElseZero(isPositive(value), bounded);
-    return hn::BitCast(du, hn::NearestInt(hn::Mul(proper, set(255.0f))));
+  return hn::Or(bytesOf(color), hn::Set(hn::RebindToUnsigned<D>(), 0xFF000000u));
+}
+
+/// As RadianceView holds it.
+HWY_INLINE Lanes3 radianceOf(Lanes3 color)
+{
+  const auto bounded = [](V value) HWY_ATTR {
+    const V most = set(kMaxRadiance);
+    return hn::IfThenElseZero(isPositive(value), hn::IfThenElse(hn::Lt(value, most), value, most));
   };
-  const auto rg = hn::Or(toByte(color.x), hn::ShiftLeft<8>(toByte(color.y)));
-  return hn::Or(rg, hn::Or(hn::ShiftLeft<16>(toByte(color.z)), hn::Set(du, 0xFF000000u)));
+  return {bounded(color.x), bounded(color.y), bounded(color.z)};
+}
+
+void boundRadianceKernel(FragmentBatch& batch)
+{
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(D()))
+    store(radianceOf(load(batch.color, i)), batch.color, i);
 }
 
 void quantizeFragmentsKernel(const FragmentBatch& batch, Rgba8* colors)
@@ -255,7 +265,8 @@ struct TriangleFragments {
   alignas(64) std::int32_t pixel[kRoom];
   alignas(64) float weight[3][kRoom];
   alignas(64) std::uint32_t color[kRoom];
-  std::size_t count;  ///< last, so that the arrays leave no gaps
+  alignas(64) float radiance[3][kRoom];  ///< only where asked for
+  std::size_t count;                     ///< last, so that the arrays leave no gaps
 
   /// Takes runs until full; returns the first that has no room, or FragmentRun::kNone.
   std::uint16_t take(const FragmentList& fragments, std::uint16_t run)
@@ -274,11 +285,44 @@ struct TriangleFragments {
     hn::StoreU(hn::Set(d, pixel[0]), d, pixel + count);
     return run;
   }
+  HWY_INLINE void storeRadiance(Lanes3 value, std::size_t i)
+  {
+    hn::Store(value.x, D(), radiance[0] + i);
+    hn::Store(value.y, D(), radiance[1] + i);
+    hn::Store(value.z, D(), radiance[2] + i);
+  }
+  /// One colour for all.
+  HWY_INLINE void paint(Lanes3 value, bool hasRadiance)
+  {
+    const hn::RebindToUnsigned<D> du;
+    const auto bytes = quantized(value);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(du))
+      hn::Store(bytes, du, color + i);
+    if (!hasRadiance) return;
+    const Lanes3 bounded = radianceOf(value);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(D()))
+      storeRadiance(bounded, i);
+  }
   /// Gives the runs from `run` to before `end` their colours.
   void give(const FragmentList& fragments, std::uint16_t run, std::uint16_t end,
             Rgba8* pixels) const
   {
-    const std::uint32_t* from = color;
+    giveArray(fragments, run, end, color, pixels);
+  }
+  void giveRadiance(const FragmentList& fragments, std::uint16_t run, std::uint16_t end,
+                    RadianceArrays& pixels) const
+  {
+    giveArray(fragments, run, end, radiance[0], pixels.r.data());
+    giveArray(fragments, run, end, radiance[1], pixels.g.data());
+    giveArray(fragments, run, end, radiance[2], pixels.b.data());
+  }
+
+ private:
+  template <class From, class To>
+  static void giveArray(const FragmentList& fragments, std::uint16_t run, std::uint16_t end,
+                        const From* from, To* pixels)
+  {
+    static_assert(sizeof(From) == sizeof(To), "what is copied is of one kind");
     for (; run != end; run = fragments.run[run].next) {
       std::memcpy(pixels + fragments.run[run].pixel, from,
                   fragments.run[run].length * sizeof *from);
@@ -347,6 +391,7 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
                           const FragmentBatch& batch, TileColors& colors)
 {
   const hn::RebindToUnsigned<D> du;
+  const bool hasRadiance = colors.hasRadiance;
   TriangleFragments fragments;
   for (std::size_t t = 0; t < numbers.size(); ++t) {
     if (batch.needsClip[t] != 0) continue;
@@ -359,13 +404,20 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
       run = fragments.take(list, run);
       weights.weigh(fragments);
       const auto colorAt = [&](std::size_t i) HWY_ATTR {
-        return quantized(shader.colorAt(fragments.weight[0] + i, fragments.weight[1] + i,
-                                        fragments.weight[2] + i));
+        return shader.colorAt(fragments.weight[0] + i, fragments.weight[1] + i,
+                              fragments.weight[2] + i);
       };
-      const auto constant = shader.isConstant() ? colorAt(0) : hn::Zero(du);
-      for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(du))
-        hn::Store(shader.isConstant() ? constant : colorAt(i), du, fragments.color + i);
+      if (shader.isConstant()) {
+        fragments.paint(colorAt(0), hasRadiance);
+      } else {
+        for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(D())) {
+          const Lanes3 color = colorAt(i);
+          hn::Store(quantized(color), du, fragments.color + i);
+          if (hasRadiance) fragments.storeRadiance(radianceOf(color), i);
+        }
+      }
       fragments.give(list, first, run, colors.pixel);
+      if (hasRadiance) fragments.giveRadiance(list, first, run, colors.pixelRadiance);
     }
   }
 }

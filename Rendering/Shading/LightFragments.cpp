@@ -18,6 +18,7 @@ namespace limn {
 
 HWY_EXPORT(lightFragmentsKernel);
 HWY_EXPORT(quantizeFragmentsKernel);
+HWY_EXPORT(boundRadianceKernel);
 HWY_EXPORT(shadeTrianglesKernel);
 
 void lightFragments(const ShadingContext& context, FragmentBatch& batch)
@@ -35,6 +36,11 @@ void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
 void quantizeFragments(const FragmentBatch& batch, Rgba8* colors)
 {
   HWY_DYNAMIC_DISPATCH(quantizeFragmentsKernel)(batch, colors);
+}
+
+void boundRadiance(FragmentBatch& batch)
+{
+  HWY_DYNAMIC_DISPATCH(boundRadianceKernel)(batch);
 }
 
 }  // namespace limn

@@ -239,10 +239,21 @@ void FragmentShader::placeClippedFragments(const TileClusters& clusters)
   }
 }
 
+void FragmentShader::keepRadiance(Span<const std::uint32_t> numbers, RadianceArrays& fragments)
+{
+  boundRadiance(batch_);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    fragments.r[numbers[i]] = batch_.color.x[i];
+    fragments.g[numbers[i]] = batch_.color.y[i];
+    fragments.b[numbers[i]] = batch_.color.z[i];
+  }
+}
+
 void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
                            FragmentList& fragments, TileColors& colors)
 {
   clippedOwner_ = kNobody;
+  if (colors.hasRadiance) colors.pixelRadiance.resize(kTilePixels);
   const auto setPoint = [&](std::size_t i, std::uint32_t pixel, SampleOffset offset) {
     batch_.pixel[i] = static_cast<std::int32_t>(pixel);
     batch_.pointX[i] = offset.x;
@@ -260,6 +271,7 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   });
 
   colors.fragment.resize(fragments.count);
+  if (colors.hasRadiance) colors.fragmentRadiance.resize(fragments.count);
   const ShadingOffsets& offsets = shadingOffsetsOf(samples);
   const Span<const std::uint32_t> owners(fragments.owner.data(), fragments.count);
   forEachBatch(clusters, owners, [&](const PlacedInstance& placed, auto numbers) {
@@ -273,6 +285,7 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
     quantizeFragments(batch_, shaded);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       colors.fragment[numbers[i]] = shaded[i];
+    if (colors.hasRadiance) keepRadiance(numbers, colors.fragmentRadiance);
   });
 }
 
