@@ -3,6 +3,7 @@
 //
 // The pipeline draws what the reference renderer draws, bit for bit, on every instruction set and
 // with any number of threads.
+#include "Rendering/Post/EffectPlanes.h"
 #include "Rendering/Renderer.h"
 #include "Testing/Agreement/RandomScene.h"
 
@@ -22,6 +23,20 @@ Picture drawn(const RandomScene& random, const RenderOptions& options)
 {
   Picture picture = random.canvas();
   const Status status = render(random.scene(), picture.frame(random.background()), options);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return picture;
+}
+
+Picture drawnWithEffects(const RandomScene& random, const RenderOptions& options)
+{
+  Picture picture = random.canvas();
+  picture.addRadiance();
+  const FrameView frame = picture.frame(random.background());
+  Status status = render(random.scene(), frame, options);
+  EXPECT_TRUE(status.ok()) << status.message;
+  // One for all scenes: what the one before left in it must not show.
+  static EffectPlanes planes;
+  status = applyEffects(random.effects(), random.scene().camera, frame, planes, options);
   EXPECT_TRUE(status.ok()) << status.message;
   return picture;
 }
@@ -65,6 +80,25 @@ TEST_P(EveryTarget, DrawsCoarseMeshesLikeTheReference)
     ASSERT_EQ(drawn(random, {Backend::kPipeline, 2}).differingPixels(expected), 0u)
         << "seed " << seed;
   }
+}
+
+TEST_P(EveryTarget, AppliesPostEffectsLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0, brightPixels = 0;
+  for (std::uint32_t seed = 0; seed < 240; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kPost);
+    const Picture expected = drawnWithEffects(random, {Backend::kReference, 1});
+    const Picture actual = drawnWithEffects(random, {Backend::kPipeline, kThreads[seed % 4]});
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    const Picture plain = drawn(random, {Backend::kPipeline, 2});
+    for (std::size_t i = 0; i < plain.color.size(); ++i) {
+      changedPixels += plain.color[i].r != actual.color[i].r;
+      brightPixels += actual.radiance[0][i] > 1;
+    }
+  }
+  EXPECT_GT(changedPixels, 500000u) << "the effects must show";
+  EXPECT_GT(brightPixels, 50000u) << "there must be colours above 1";
 }
 
 TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)

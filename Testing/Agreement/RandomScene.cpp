@@ -140,15 +140,44 @@ Picture::Picture(int w, int h) : width(w), height(h)
 
 FrameView Picture::frame(Background background)
 {
-  return {width,           height,          width,       color.data(), depth.data(),
-          coverage.data(), instance.data(), cell.data(), background,   {}};
+  FrameView view;
+  view.width = width;
+  view.height = height;
+  view.rowStride = width;
+  view.color = color.data();
+  view.depth = depth.data();
+  view.coverage = coverage.data();
+  view.instance = instance.data();
+  view.cell = cell.data();
+  view.background = background;
+  if (!radiance[0].empty())
+    view.radiance = {radiance[0].data(), radiance[1].data(), radiance[2].data()};
+  return view;
+}
+
+void Picture::addRadiance()
+{
+  for (std::vector<float>& plane : radiance)
+    plane.resize(color.size());
+  for (std::size_t i = 0; i < color.size(); ++i) {
+    radiance[0][i] = static_cast<float>(color[i].r) / 255.0f;
+    radiance[1][i] = static_cast<float>(color[i].g) / 255.0f;
+    radiance[2][i] = static_cast<float>(color[i].b) / 255.0f;
+  }
 }
 
 std::size_t Picture::differingPixels(const Picture& other) const
 {
+  const auto radianceDiffers = [&](std::size_t i) {
+    for (std::size_t c = 0; c < 3; ++c)
+      if (!radiance[c].empty() &&
+          std::memcmp(&radiance[c][i], &other.radiance[c][i], sizeof(float)) != 0)
+        return true;
+    return false;
+  };
   std::size_t count = 0;
   for (std::size_t i = 0; i < color.size(); ++i)
-    if (std::memcmp(&color[i], &other.color[i], sizeof color[i]) != 0 ||
+    if (radianceDiffers(i) || std::memcmp(&color[i], &other.color[i], sizeof color[i]) != 0 ||
         std::memcmp(&depth[i], &other.depth[i], sizeof depth[i]) != 0 ||
         coverage[i] != other.coverage[i] || instance[i] != other.instance[i] ||
         cell[i] != other.cell[i])
@@ -180,6 +209,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   scene_.samples = 1 << random.below(4);
   scene_.resolve = random.chance(4) ? Resolve::kLinear : Resolve::kGamma22;
   background_ = random.chance(2) ? Background::kBlend : Background::kKeepApart;
+  if (detail == Detail::kPost) addEffects(Random(seed ^ 0xB100Du));
 }
 
 Picture RandomScene::canvas() const
@@ -315,6 +345,37 @@ void RandomScene::placeCamera(Random& random)
   scene_.camera.viewToClip = scene_.camera.parallel
                                  ? parallel(random.between(0.01, 2), aspect, near, far)
                                  : perspective(random.between(0.1, 1.2), aspect, near, far);
+}
+
+void RandomScene::addEffects(Random random)
+{
+  const auto number = [&](double low, double high) {
+    return static_cast<float>(random.between(low, high));
+  };
+  for (Light& light : lights_)
+    light.color = light.color * number(1, 9);
+  scene_.lights = lights_;
+  if (!random.chance(3)) effects_.exposure = number(0, 3);
+  if (!random.chance(3)) {
+    effects_.bloom = {number(0, 2), number(0, 2), 1 + static_cast<int>(random.below(8))};
+  }
+  if (!scene_.camera.parallel && !random.chance(3)) {
+    const std::uint32_t largest = random.chance(10) ? 40 : 6;
+    effects_.depthOfField = {number(0, 0.4), number(0.1, 6),
+                             1 + static_cast<int>(random.below(largest))};
+  }
+  effects_.toneMapping = static_cast<ToneMapping>(random.below(4));
+  effects_.whitePoint = number(0.1, 8);
+  if (random.chance(2)) return;
+  Fxaa& fxaa = effects_.fxaa;
+  fxaa.enabled = true;
+  fxaa.highQualityEndpoints = !random.chance(3);
+  if (random.chance(2)) return;
+  fxaa.relativeContrastThreshold = number(0, 1);
+  fxaa.hardContrastThreshold = random.chance(4) ? 0.0f : number(0, 0.5);
+  fxaa.subpixelBlendLimit = number(0, 1);
+  fxaa.subpixelContrastThreshold = random.chance(8) ? 1.0f : number(0, 1);
+  fxaa.endpointSearchIterations = static_cast<int>(random.below(30));
 }
 
 }  // namespace limn::testing

@@ -6,6 +6,7 @@
 #include "Rendering/Mesh/FaceGeometry.h"
 #include "Rendering/Renderer.h"
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <random>
@@ -56,9 +57,12 @@ struct Picture {
   std::vector<float> depth;
   std::vector<std::uint8_t> coverage;
   std::vector<std::uint32_t> instance, cell;
+  std::array<std::vector<float>, 3> radiance;  ///< empty unless asked for
 
   Picture(int width, int height);
   FrameView frame(Background background);
+  /// Of the colours that the picture has now.
+  void addRadiance();
   /// Pixels in which any plane differs, by bits.
   std::size_t differingPixels(const Picture& other) const;
 };
@@ -72,11 +76,14 @@ class RandomScene {
     kAny,   ///< up to some hundred triangles of every kind
     kFine,  ///< closed, bumpy surfaces of ten thousands, which hide each other and their own backs
     kCoarse,  ///< some triangles that fill the picture, half of them matt, half with outlines
+    kPost,    ///< kAny with bright lights and post effects
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
   const Scene& scene() const { return scene_; }
   Background background() const { return background_; }
+  /// None unless kPost.
+  const PostEffects& effects() const { return effects_; }
   /// The picture before drawing: a background, and now and then old depths.
   Picture canvas() const;
 
@@ -87,6 +94,7 @@ class RandomScene {
   Style randomStyle(Random& random, const OwnedMesh& mesh);
   Light randomLight(Random& random);
   void placeCamera(Random& random);
+  void addEffects(Random random);
 
   std::uint32_t seed_;
   int width_, height_;
@@ -96,6 +104,7 @@ class RandomScene {
   std::vector<Light> lights_;
   Scene scene_;
   Background background_;
+  PostEffects effects_;
 };
 
 }  // namespace limn::testing

@@ -4,6 +4,7 @@
 // One hash for every compiler, optimisation level, instruction set and processor: a build that
 // draws other bytes than the build before fails here. When a picture is meant to change, the
 // message shows the new hash; say in the commit why it changed.
+#include "Rendering/Post/EffectPlanes.h"
 #include "Rendering/Renderer.h"
 #include "Testing/Agreement/RandomScene.h"
 
@@ -19,6 +20,7 @@ using testing::Picture;
 using testing::RandomScene;
 
 constexpr std::uint64_t kHashOfScenes = 4481409563840940949u;
+constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 
 /// FNV-1a, 64 bits.
 class Hash {
@@ -56,6 +58,26 @@ std::uint64_t hashOfScenes()
   return hash.value();
 }
 
+std::uint64_t hashOfPostEffects()
+{
+  Hash hash;
+  EffectPlanes planes;
+  for (std::uint32_t seed = 5000; seed < 5100; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kPost);
+    Picture picture = random.canvas();
+    picture.addRadiance();
+    const FrameView frame = picture.frame(random.background());
+    Status status = render(random.scene(), frame);
+    EXPECT_TRUE(status.ok()) << status.message;
+    status = applyEffects(random.effects(), random.scene().camera, frame, planes);
+    EXPECT_TRUE(status.ok()) << status.message;
+    hash.add(picture.color);
+    for (const std::vector<float>& plane : picture.radiance)
+      hash.add(plane);
+  }
+  return hash.value();
+}
+
 class SameBytes : public ::testing::TestWithParam<std::string> {
  protected:
   void SetUp() override { ASSERT_TRUE(useTarget(GetParam())); }
@@ -67,6 +89,13 @@ TEST_P(SameBytes, HundredScenesHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes();
   std::cout << "hash " << GetParam() << ' ' << hash << '\n';
   EXPECT_EQ(hash, kHashOfScenes);
+}
+
+TEST_P(SameBytes, HundredScenesWithPostEffectsHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfPostEffects();
+  std::cout << "hash of post effects " << GetParam() << ' ' << hash << '\n';
+  EXPECT_EQ(hash, kHashOfPostEffects);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),
