@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
 
+#include "EffectOptions.h"
 #include "OptionList.h"
 #include "ParseValue.h"
 #include "SceneOptions.h"
@@ -133,12 +134,14 @@ Request parseRender(const Arguments& arguments)
     { settings.window = parseChoice(option, text, kWindows); });
   options.addSwitch(
     "--stats", "print one JSON line: counts, times, bytes, threads", settings.stats);
+  addEffectOptions(options, settings.effects);
   if (!options.read(arguments))
   {
     return HelpRequest{ options.help() };
   }
   checkScene(scene, "render");
   checkIllustration(scene.material);
+  checkEffects(settings);
   checkOutput(settings.output);
   if (background && settings.transparentBackground)
   {

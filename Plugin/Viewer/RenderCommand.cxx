@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderCommand.h"
 
+#include "ApplyEffects.h"
 #include "BuildScene.h"
 #include "LoadMesh.h"
 #include "Messages.h"
@@ -56,6 +57,7 @@ vtkSmartPointer<vtkImageData> drawPicture(
     opened.renderer->SetBackgroundAlpha(0);
   }
   buildScene(settings.scene, meshes, *opened.renderer);
+  applyEffects(settings.effects, *opened.renderer);
   opened.window->Render();
   throwCollectedErrors();
 

@@ -49,6 +49,20 @@ enum class Window
   Gl
 };
 
+enum class AntiAliasing
+{
+  None, ///< but for the samples of each pixel
+  Fxaa
+};
+
+enum class ToneMapping
+{
+  None,
+  Reinhard,
+  ReinhardExtended,
+  Aces
+};
+
 enum class LightKind
 {
   Headlight,
@@ -112,9 +126,32 @@ struct SceneSettings
   int threads = 0; ///< 0: not given, one for each core unless LIMN_THREADS says otherwise
 };
 
+struct BloomSettings
+{
+  double strength = 0; ///< 0: none
+  double threshold = 1;
+};
+
+struct DepthOfFieldSettings
+{
+  double distance; ///< in focus, from the eye; > 0, in world units
+  double aperture; ///< diameter of the lens; > 0, in world units
+};
+
+struct EffectSettings
+{
+  double exposure = 1;
+  std::optional<DepthOfFieldSettings> depthOfField;
+  BloomSettings bloom;
+  ToneMapping toneMapping = ToneMapping::None;
+  std::optional<double> whitePoint; ///< of ReinhardExtended
+  AntiAliasing antiAliasing = AntiAliasing::None;
+};
+
 struct RenderSettings
 {
   SceneSettings scene;
+  EffectSettings effects;
   std::string output;
   bool transparentBackground = false;
   Window window = Window::Cpu;

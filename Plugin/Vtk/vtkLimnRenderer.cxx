@@ -7,9 +7,11 @@
 
 #include "vtkLimnActor.h"
 #include "vtkLimnCamera.h"
+#include "vtkLimnPostEffects.h"
 #include "vtkLimnRenderWindow.h"
 
 #include "vtkCommand.h"
+#include "vtkFXAAOptions.h"
 #include "vtkHardwareSelector.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -68,6 +70,39 @@ bool BelongsToOpenGL(vtkProp* prop)
 }
 
 vtkStandardNewMacro(vtkLimnRenderer);
+
+//------------------------------------------------------------------------------
+vtkLimnRenderer::vtkLimnRenderer() = default;
+
+//------------------------------------------------------------------------------
+vtkLimnRenderer::~vtkLimnRenderer() = default;
+
+//------------------------------------------------------------------------------
+void vtkLimnRenderer::SetPostEffects(vtkLimnPostEffects* effects)
+{
+  if (this->PostEffects != effects)
+  {
+    this->PostEffects = effects;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkLimnPostEffects* vtkLimnRenderer::GetPostEffects()
+{
+  return this->PostEffects;
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkLimnRenderer::GetMTime()
+{
+  vtkMTimeType time = this->Superclass::GetMTime();
+  if (this->PostEffects)
+  {
+    time = std::max(time, this->PostEffects->GetMTime());
+  }
+  return this->FXAAOptions ? std::max(time, this->FXAAOptions->GetMTime()) : time;
+}
 
 //------------------------------------------------------------------------------
 vtkCamera* vtkLimnRenderer::MakeCamera()
@@ -158,9 +193,11 @@ int vtkLimnRenderer::UpdateGeometry(vtkFrameBufferObjectBase*)
       this->Selector->Render(this, this->PropArray, this->PropArrayCount);
     return this->NumberOfPropsRendered;
   }
+  limn::bridge::beginEffects(this);
   limn::bridge::collectSurfaces(this);
   this->UpdateOpaquePolygonalGeometry();
   this->UpdateTranslucentPolygonalGeometry();
+  limn::bridge::applyEffects(this);
   this->RenderTime.Modified();
   return this->NumberOfPropsRendered;
 }
@@ -208,9 +245,9 @@ void vtkLimnRenderer::WarnOfUnusedSettings()
     this->WarnOnce("The background is drawn without its texture: Limn's own window has no textures "
                    "yet.");
   }
-  if (this->UseFXAA || this->UseShadows || this->UseSSAO)
+  if (this->UseShadows || this->UseSSAO)
   {
-    this->WarnOnce("FXAA, shadows and SSAO are not drawn: Limn's own window has none yet.");
+    this->WarnOnce("Shadows and SSAO are not drawn: Limn's own window has none yet.");
   }
   if (this->UseImageBasedLighting)
   {
@@ -232,4 +269,5 @@ void vtkLimnRenderer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Warnings: " << this->Warnings.size() << "\n";
+  os << indent << "PostEffects: " << this->PostEffects.Get() << "\n";
 }

@@ -5,6 +5,7 @@
  * @brief   a renderer for Limn's own window
  *
  * Draws the background and the surfaces of its actors into its viewport of a vtkLimnRenderWindow.
+ * FXAA works as in VTK, with vtkFXAAOptions; a vtkLimnPostEffects adds other post effects.
  * Props of kinds that are not drawn (text, images, volumes, ...) are named once in a warning.
  *
  * @sa
@@ -16,10 +17,12 @@
 
 #include "vtkLimnModule.h" // for export macro
 #include "vtkRenderer.h"
+#include "vtkSmartPointer.h" // for the post effects
 
 #include <set>    // for std::set
 #include <string> // for std::string
 
+class vtkLimnPostEffects;
 class vtkLimnRenderWindow;
 
 class VTKLIMN_EXPORT vtkLimnRenderer : public vtkRenderer
@@ -33,6 +36,19 @@ public:
   void Clear() override;
   vtkCamera* MakeCamera() override;
 
+  ///@{
+  /**
+   * What is done to the viewport when its surfaces are drawn. Default: nullptr, nothing.
+   */
+  void SetPostEffects(vtkLimnPostEffects* effects);
+  vtkLimnPostEffects* GetPostEffects();
+  ///@}
+
+  /**
+   * That of the post effects and the options of FXAA, too.
+   */
+  vtkMTimeType GetMTime() override;
+
   /**
    * The props given to PickPropFrom() while that runs, else all.
    */
@@ -44,8 +60,8 @@ public:
   void WarnOnce(const std::string& what);
 
 protected:
-  vtkLimnRenderer() = default;
-  ~vtkLimnRenderer() override = default;
+  vtkLimnRenderer();
+  ~vtkLimnRenderer() override;
 
   int UpdateCamera() override;
   int UpdateLights() override;
@@ -59,6 +75,7 @@ private:
   void WarnOfUnusedSettings();
 
   std::set<std::string> Warnings;
+  vtkSmartPointer<vtkLimnPostEffects> PostEffects;
 };
 
 #endif

@@ -9,6 +9,7 @@
 #include "vtkLimnCompositor.h"
 #include "vtkLimnEngine.h"
 #include "vtkLimnHardwareSelector.h"
+#include "vtkLimnPostEffects.h"
 #include "vtkLimnProperty.h"
 #include "vtkLimnRenderWindowInteractor.h"
 #include "vtkLimnShaderProperty.h"
@@ -159,6 +160,7 @@ int TestLimnObjects(int, char*[])
   checkPrint<vtkLimnEngine>("vtkLimnEngine");
   checkPrint<vtkLimnHardwareSelector>("vtkLimnHardwareSelector");
   checkPrint<vtkLimnPolyDataMapper>("vtkLimnPolyDataMapper");
+  checkPrint<vtkLimnPostEffects>("vtkLimnPostEffects");
   checkPrint<vtkLimnProperty>("vtkLimnProperty");
   checkPrint<vtkLimnRenderWindow>("vtkLimnRenderWindow");
   checkPrint<vtkLimnRenderWindowInteractor>("vtkLimnRenderWindowInteractor");

@@ -10,12 +10,14 @@
 #include "vtkLimnPolyDataMapper.h"
 #include "vtkLimnProperty.h"
 #include "vtkLimnRenderWindow.h"
+#include "vtkLimnRenderer.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCameraPass.h"
 #include "vtkCellPicker.h"
 #include "vtkConeSource.h"
 #include "vtkElevationFilter.h"
+#include "vtkFXAAOptions.h"
 #include "vtkLight.h"
 #include "vtkPointDataToCellData.h"
 #include "vtkRenderPassCollection.h"
@@ -257,6 +259,96 @@ INSTANTIATE_TEST_SUITE_P(LooksThatLimnLeavesToVtk, FallbackTest,
     return std::string(std::get<0>(test.param).Name) + "With" +
            std::to_string(std::get<1>(test.param)) + "Samples";
   });
+
+/// The parameters of FXAA that take ways of their own.
+struct FxaaCase
+{
+  const char* Name;
+  void (*SetUp)(vtkFXAAOptions*);
+};
+
+std::ostream& operator<<(std::ostream& os, const FxaaCase& one)
+{
+  return os << one.Name;
+}
+
+const FxaaCase AllFxaaCases[] = {
+  { "Default", [](vtkFXAAOptions*) {} },
+  { "EndpointsByMeans", [](vtkFXAAOptions* options) { options->UseHighQualityEndpointsOff(); } },
+  { "EdgesOnly",
+    [](vtkFXAAOptions* options)
+    {
+      options->SetSubpixelBlendLimit(0);
+      options->SetEndpointSearchIterations(30);
+    } },
+  { "Sensitive",
+    [](vtkFXAAOptions* options)
+    {
+      options->SetRelativeContrastThreshold(0.05f);
+      options->SetHardContrastThreshold(0.02f);
+      options->SetSubpixelContrastThreshold(0);
+      options->SetSubpixelBlendLimit(1);
+    } },
+};
+
+class FxaaTest : public testing::TestWithParam<FxaaCase>
+{
+protected:
+  static void SetUp(vtkRenderer* renderer, MakeActor make)
+  {
+    renderer->AddActor(MakeSphere(make));
+    renderer->AddActor(MakeCone(make));
+    renderer->AddActor(MakeWall(make));
+    renderer->UseFXAAOn();
+    GetParam().SetUp(renderer->GetFXAAOptions());
+  }
+  static Picture ByVtk()
+  {
+    GLScene scene(0);
+    SetUp(scene.Renderer, MakeGLActor);
+    return scene.Render();
+  }
+};
+
+// VTK's own pass works on the picture that Limn's layer is part of.
+TEST_P(FxaaTest, WorksOnLimnsLayerInOpenGLsWindow)
+{
+  GLScene mixed(0);
+  SetUp(mixed.Renderer, MakeLimnActor);
+  const Picture expected = ByVtk();
+  const Picture smooth = mixed.Render();
+  EXPECT_LT(PercentDifferent(expected, smooth, 1), 0.1);
+  mixed.Renderer->UseFXAAOff();
+  EXPECT_GT(PercentDifferent(smooth, mixed.Render(), 8), 1);
+}
+
+// Limn's is the same algorithm: but where the two pictures' lit colours differ by rounding, and for
+// the coarse weights with which llvmpipe mixes texels, it gives the same picture.
+TEST_P(FxaaTest, InLimnsWindowLooksAsVtks)
+{
+  vtkNew<vtkLimnRenderWindow> window;
+  window->SetSize(200, 160);
+  window->SetMultiSamples(0);
+  vtkNew<vtkLimnRenderer> renderer;
+  renderer->SetBackground(0.1, 0.2, 0.3);
+  window->AddRenderer(renderer);
+  GLScene::SetUpCamera(renderer);
+  SetUp(renderer, MakeLimnActor);
+  window->Render();
+  Picture picture;
+  picture.Width = 200;
+  picture.Height = 160;
+  vtkNew<vtkUnsignedCharArray> bytes;
+  window->GetRGBACharPixelData(0, 0, 199, 159, 0, bytes);
+  picture.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+  const Picture expected = ByVtk();
+  RecordProperty("moreThan1", CountDifferent(expected, picture, 1));
+  RecordProperty("moreThan2", CountDifferent(expected, picture, 2));
+  RecordProperty("moreThan8", CountDifferent(expected, picture, 8));
+  EXPECT_LT(PercentDifferent(expected, picture, 2), 0.1);
+}
+INSTANTIATE_TEST_SUITE_P(Options, FxaaTest, testing::ValuesIn(AllFxaaCases),
+  [](const auto& test) { return std::string(test.param.Name); });
 
 struct Passes
 {

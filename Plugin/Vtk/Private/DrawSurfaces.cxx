@@ -130,4 +130,14 @@ void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* 
   }
 }
 
+void beginEffects(vtkLimnRenderer* renderer)
+{
+  passOf(renderer).effects().begin(renderer);
+}
+
+void applyEffects(vtkLimnRenderer* renderer)
+{
+  passOf(renderer).effects().apply(renderer);
+}
+
 } // namespace limn::bridge

@@ -4,6 +4,7 @@
 #define DrawSurfaces_h
 
 class vtkActor;
+class vtkLimnRenderer;
 class vtkLimnPolyDataMapper;
 class vtkRenderer;
 
@@ -23,6 +24,11 @@ void collectSurfaces(vtkRenderer* renderer);
 bool isDrawnAlready(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper);
 
 void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper);
+
+/// For renderers of ours: what their post effects need before their surfaces are drawn, and the
+/// effects after that.
+void beginEffects(vtkLimnRenderer* renderer);
+void applyEffects(vtkLimnRenderer* renderer);
 
 } // namespace limn::bridge
 

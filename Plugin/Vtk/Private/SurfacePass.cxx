@@ -265,7 +265,8 @@ Status SurfacePass::renderInto(
   sampled.samples = interactiveSamples(scene, renderer_, window->GetSamplesPerPixel());
   EngineState& engine = EngineState::instance();
   RenderStats stats;
-  const FrameView view = window->GetFrame().View(viewport);
+  FrameView view = window->GetFrame().View(viewport);
+  view.radiance = effects_.radiance();
   Status status = render(sampled, view, engine.options, &stats);
   if (!status.ok() && view.clear.extent != FrameClear::Extent::kNothing)
   {

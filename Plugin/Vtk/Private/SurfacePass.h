@@ -4,6 +4,7 @@
 #define SurfacePass_h
 
 #include "Surface.h"
+#include "ViewportEffects.h"
 
 #include "Rendering/Base/Array.h"
 #include "Rendering/FrameView.h"
@@ -36,6 +37,8 @@ public:
   /// The surfaces that will come, if they are known before the first does.
   void expect(std::vector<Surface> surfaces);
   void draw(const Surface& surface);
+  /// For renderers of Limn's own window.
+  ViewportEffects& effects() { return effects_; }
 
   /// The actor's surface if this pass has drawn it together with others, so that draw() would have
   /// nothing to do; else nullptr. Returns it once for each time that the actor was collected.
@@ -72,6 +75,8 @@ private:
     int times;
   };
   std::unordered_map<vtkActor*, Due> due_;
+
+  ViewportEffects effects_;
 
   /// The layer for windows of other backends.
   Array<Rgba8> layerColor_;
