@@ -23,12 +23,22 @@ const Choices<ToneMapping> kToneMappings = { { "none", ToneMapping::None },
 /// As the renderer bounds its colours: the largest half float.
 constexpr double kBrightest = 65504;
 
-double parseBrightness(Text option, Text text)
+[[noreturn]] void refuse(Text option, Text text, const std::string& what)
+{
+  throw UserError(option + "=" + text + what);
+}
+
+bool isFrom(double smallest, double number)
+{
+  return number >= smallest && number <= kBrightest;
+}
+
+double parseExposure(Text option, Text text)
 {
   const double number = parseNumber(option, text);
-  if (number < 0 || number > kBrightest)
+  if (!isFrom(0, number))
   {
-    throw UserError(option + "=" + text + " is not from 0 to 65504");
+    refuse(option, text, " is not from 0 to 65504");
   }
   return number;
 }
@@ -36,39 +46,34 @@ double parseBrightness(Text option, Text text)
 double parseWhitePoint(Text option, Text text)
 {
   const double number = parseNumber(option, text);
-  if (number < 0.001 || number > kBrightest)
+  if (!isFrom(0.001, number))
   {
-    throw UserError(option + "=" + text + " is not from 0.001 to 65504");
+    refuse(option, text, " is not from 0.001 to 65504");
   }
   return number;
 }
 
 BloomSettings parseBloom(Text option, Text text)
 {
+  const std::vector<double> numbers = parseNumbers(option, text, 1, 2);
   BloomSettings bloom;
-  const std::size_t comma = text.find(',');
-  bloom.strength = parseBrightness(option, text.substr(0, comma));
-  if (comma != std::string::npos)
+  bloom.strength = numbers.front();
+  bloom.threshold = numbers.size() > 1 ? numbers[1] : bloom.threshold;
+  if (!isFrom(0, bloom.strength) || !isFrom(0, bloom.threshold))
   {
-    bloom.threshold = parseBrightness(option, text.substr(comma + 1));
+    refuse(option, text, " has a value that is not from 0 to 65504");
   }
   return bloom;
 }
 
 DepthOfFieldSettings parseDepthOfField(Text option, Text text)
 {
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos)
+  const std::vector<double> numbers = parseNumbers(option, text, 2, 2);
+  const DepthOfFieldSettings lens = { numbers[0], numbers[1] };
+  if (lens.distance < 0 || lens.aperture <= 0)
   {
-    throw UserError(option + "=" + text +
-                    " is not a distance in focus and the diameter of the lens, as in " + option +
-                    "=5,0.2");
-  }
-  const DepthOfFieldSettings lens = { parseNumber(option, text.substr(0, comma)),
-    parseNumber(option, text.substr(comma + 1)) };
-  if (lens.distance <= 0 || lens.aperture <= 0)
-  {
-    throw UserError(option + "=" + text + " has a value that is not greater than 0");
+    refuse(option, text,
+      " has a negative distance in focus or a lens whose diameter is not greater than 0");
   }
   return lens;
 }
@@ -93,9 +98,9 @@ void addEffectOptions(OptionList& options, EffectSettings& effects)
 {
   options.startGroup("Effects on the finished picture, in this order");
   options.add("--exposure", "e", "factor of all colours, before they are clamped (1)",
-    [&](Text option, Text text) { effects.exposure = parseBrightness(option, text); });
+    [&](Text option, Text text) { effects.exposure = parseExposure(option, text); });
   options.add("--depth-of-field", "distance,diameter",
-    "in focus, and of the lens, in world units (no lens)",
+    "in focus (0: the focal point's), and of the lens, in\nworld units (no lens)",
     [&](Text option, Text text) { effects.depthOfField = parseDepthOfField(option, text); });
   options.add("--bloom", "strength[,threshold]",
     "so much of the light above the threshold spills\nover (0,1)",

@@ -185,6 +185,26 @@ double parseNumber(const std::string& option, const std::string& text)
   return *number;
 }
 
+std::vector<double> parseNumbers(
+  const std::string& option, const std::string& text, std::size_t fewest, std::size_t most)
+{
+  const std::vector<std::string> parts = split(text, ',');
+  std::vector<double> numbers;
+  for (const std::string& part : parts)
+  {
+    const std::optional<double> number = finiteNumber(part);
+    if (!number || parts.size() < fewest || parts.size() > most)
+    {
+      const std::string count = fewest == most
+                                  ? std::to_string(most)
+                                  : std::to_string(fewest) + " to " + std::to_string(most);
+      refuse(option, text, count + " finite numbers with commas between them");
+    }
+    numbers.push_back(*number);
+  }
+  return numbers;
+}
+
 int parseInteger(const std::string& option, const std::string& text, int smallest, int largest)
 {
   const std::optional<int> number = wholeNumber(text, smallest, largest);

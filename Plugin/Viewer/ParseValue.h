@@ -19,6 +19,10 @@ namespace limn::viewer
 /// are at most 1e30 in size.
 double parseNumber(const std::string& option, const std::string& text);
 
+/// Finite numbers with commas between them, as many as allowed.
+std::vector<double> parseNumbers(
+  const std::string& option, const std::string& text, std::size_t fewest, std::size_t most);
+
 /// A whole number from `smallest` to `largest`.
 int parseInteger(const std::string& option, const std::string& text, int smallest, int largest);
 

@@ -134,7 +134,7 @@ struct BloomSettings
 
 struct DepthOfFieldSettings
 {
-  double distance; ///< in focus, from the eye; > 0, in world units
+  double distance; ///< in focus, from the eye, in world units; 0: the focal point's
   double aperture; ///< diameter of the lens; > 0, in world units
 };
 

@@ -160,9 +160,22 @@ actor.SetMapper(mapper)""")
         lit, *_ = run("import limn\n" + scene, ["DISPLAY"], LIMN_WINDOW="cpu")
         self.assertEqual(lit, "[True, True, False]")
 
+    def test_post_effects(self):
+        scene = SCENE.replace(
+            "renderer.AddActor(actor)",
+            """renderer.AddActor(actor)
+from limn import vtkLimnPostEffects
+effects = vtkLimnPostEffects()
+effects.SetExposure(0)
+renderer.SetPostEffects(effects)""",
+        )
+        plain, *_ = run("import limn\n" + SCENE, ["DISPLAY"], LIMN_WINDOW="cpu")
+        dark, *_ = run("import limn\n" + scene, ["DISPLAY"], LIMN_WINDOW="cpu")
+        self.assertNotEqual(dark, plain)
+
     def test_names(self):
         (line,) = run("import limn\nprint(sorted(n for n in dir(limn) if n.startswith('vtkLimn')))")
-        for name in ("Actor", "OpenGLCompositor", "PolyDataMapper", "Property", "RenderWindow"):
+        for name in ("Actor", "OpenGLCompositor", "PolyDataMapper", "PostEffects", "Property", "RenderWindow"):
             self.assertIn(f"'vtkLimn{name}'", line)
 
 

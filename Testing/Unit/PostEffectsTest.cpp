@@ -95,11 +95,14 @@ TEST_P(Radiance, KnowsColoursAboveOne)
     stage.instances = {painted(square, {2.5f, 0.25f, 7})};
     stage.instances[0].style.frequency = frequency;
     const Picture picture = drawn(stage, Background::kBlend, {0, 51, 0, 0});
-    const std::size_t inside = 16 * 32 + 16, outside = 1 * 32 + 1;
-    EXPECT_EQ(picture.radiance[0][inside], 2.5f);
-    EXPECT_EQ(picture.radiance[1][inside], 0.25f);
-    EXPECT_EQ(picture.radiance[2][inside], 7.0f);
-    EXPECT_EQ(picture.color[inside].r, 255);
+    const std::size_t outside = 1 * 32 + 1;
+    // Amid a triangle, and on the line between the two.
+    for (const std::size_t inside : {10u * 32 + 20, 16u * 32 + 16}) {
+      EXPECT_EQ(picture.radiance[0][inside], 2.5f);
+      EXPECT_EQ(picture.radiance[1][inside], 0.25f);
+      EXPECT_EQ(picture.radiance[2][inside], 7.0f);
+      EXPECT_EQ(picture.color[inside].r, 255);
+    }
     EXPECT_EQ(picture.radiance[1][outside], 51 / 255.0f);
   }
 }
@@ -108,8 +111,14 @@ TEST_P(Radiance, IsBoundedByTheLargestHalfFloat)
 {
   Stage stage = pixelStage(32, 4);
   const OwnedMesh square = sheet({4, 4, 0}, {24, 0, 0}, {0, 24, 0});
-  stage.instances = {painted(square, {1e38f, 1, 1})};
-  EXPECT_EQ(drawn(stage, Background::kBlend).radiance[0][16 * 32 + 16], 65504.0f);
+  for (const ShadingFrequency frequency : {ShadingFrequency::kFlat, ShadingFrequency::kPhong}) {
+    stage.instances = {painted(square, {1e38f, 1, 1})};
+    stage.instances[0].style.frequency = frequency;
+    const Picture picture = drawn(stage, Background::kBlend);
+    for (std::size_t y = 5; y < 27; ++y)
+      for (std::size_t x = 5; x < 27; ++x)
+        ASSERT_EQ(picture.radiance[0][y * 32 + x], 65504.0f) << x << ", " << y;
+  }
 }
 
 TEST_P(Radiance, IsTheLinearMeanOfThePixelsSamples)
@@ -496,6 +505,44 @@ TEST_P(PostEffectsTest, ABlurredThingBeforeASharpOneSpreadsOverIt)
   EXPECT_GT(at(picture, 70 + reach - 2, 70).r, 0);
   EXPECT_EQ(at(picture, 70 + reach + 2, 70).r, 0);
   EXPECT_EQ(at(picture, 70 - reach - 2, 70).r, 255);
+}
+
+TEST_P(PostEffectsTest, APointBeforeASharpGroundCoversItByTheShareOfItsDisc)
+{
+  const Stage stage = lensStage();
+  constexpr int kMiddle = 70;
+  const auto isPoint = [](int x, int y) { return x == kMiddle && y == kMiddle; };
+  constexpr double kBright = 20;
+  Picture picture = radiant(stage.width, stage.height,
+                            [&](int x, int y) { return grey(isPoint(x, y) ? kBright : 0); });
+  picture.depth.assign(picture.depth.size(), depthAtDistance(stage, kFocus));
+  picture.depth[kMiddle * 141 + kMiddle] = depthAtDistance(stage, 1.5);
+  const double aperture = 0.2, radius = discRadius(stage, aperture, 1.5);
+  apply(lensOf(aperture), stage.camera(), picture);
+  // The ground has its own pixel whole, the point one in so many: their weights are 1 : 1 / area.
+  const double area = kPi * radius * radius;
+  EXPECT_NEAR(at(picture, kMiddle + 3, kMiddle).r, byteOf(kBright / (1 + area)), 1);
+  EXPECT_NEAR(at(picture, kMiddle, kMiddle - 4).r, byteOf(kBright / (1 + area)), 1);
+}
+
+TEST_P(PostEffectsTest, DiscsReachIntoTheNextTiles)
+{
+  const Stage stage = lensStage();
+  // One near pixel on each side of the lines at 64 between the tiles, and in the corner.
+  const struct {
+    int x, y, dx, dy;
+  } cases[] = {{32, 62, 0, 4}, {32, 66, 0, -4},  {62, 32, 4, 0},  {66, 32, -4, 0},
+               {63, 63, 3, 3}, {64, 64, -3, -3}, {64, 63, -3, 3}, {63, 64, 3, -3}};
+  for (const auto& one : cases) {
+    Picture picture = radiant(stage.width, stage.height, [&](int x, int y) {
+      return grey(x == one.x && y == one.y ? 60 : 0);
+    });
+    picture.depth.assign(picture.depth.size(), depthAtDistance(stage, kFocus));
+    picture.depth[static_cast<std::size_t>(one.y * stage.width + one.x)] =
+        depthAtDistance(stage, 1.5);
+    apply(lensOf(0.2), stage.camera(), picture);
+    EXPECT_GT(at(picture, one.x + one.dx, one.y + one.dy).r, 20) << one.x << ", " << one.y;
+  }
 }
 
 TEST_P(PostEffectsTest, NoDiscIsLargerThanAsked)
