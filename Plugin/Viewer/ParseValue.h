@@ -32,10 +32,10 @@ Vector3 parseVector(const std::string& option, const std::string& text);
 /// x,y,z that is not 0,0,0.
 Vector3 parseDirection(const std::string& option, const std::string& text);
 
-/// r,g,b of a surface or background: each from 0 to 1.
+/// r,g,b that stands in the picture as it is, as a background's: each from 0 to 1.
 Color parseColor(const std::string& option, const std::string& text);
 
-/// r,g,b of a light or a tone: each at least 0.
+/// r,g,b of a light, a surface or a tone, from which the picture is computed: each at least 0.
 Color parseIntensity(const std::string& option, const std::string& text);
 
 /// a,b with a < b.

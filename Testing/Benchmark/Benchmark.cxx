@@ -5,6 +5,7 @@
 // VTK's own mapper in an OpenGL window, until the picture lies in memory. See limn_benchmark
 // --help.
 #include "Candidate.h"
+#include "Display.h"
 #include "Llvmpipe.h"
 #include "Measure.h"
 #include "Memory.h"
@@ -18,6 +19,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
@@ -35,6 +37,22 @@ constexpr char kAbout[] =
   "take when all that they read lies in the caches, or what the memory takes for the bytes of mesh "
   "and picture, whichever is more: `full` with all clusters, `oracle` with those that are seen.";
 
+constexpr int kStatusOfUserError = 2;
+
+struct Options
+{
+  std::string Only, Json, Scaling;
+  int Blocks = 4;
+  bool List = false;
+};
+
+/// For what the user can mend: the message says how.
+class UserError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
 std::vector<SceneMaker> MakersWith(const std::string& name)
 {
   std::vector<SceneMaker> makers;
@@ -44,6 +62,10 @@ std::vector<SceneMaker> MakersWith(const std::string& name)
     {
       makers.push_back(maker);
     }
+  }
+  if (makers.empty())
+  {
+    throw UserError("--only=" + name + ": no scene's name contains this; --list prints the names");
   }
   return makers;
 }
@@ -96,7 +118,69 @@ void Write(const std::string& path, const nlohmann::json& report)
 {
   if (!(std::ofstream(path) << report.dump(2) << std::endl))
   {
-    throw std::runtime_error(path + " cannot be written.");
+    throw UserError(path + " cannot be written");
+  }
+}
+
+/// Before minutes are spent on what is to be written there.
+void RequireWritable(const std::string& path)
+{
+  const bool existed = std::filesystem::exists(path);
+  if (!std::ofstream(path, std::ios::app))
+  {
+    throw UserError(path + " cannot be written; name a file in a folder that exists");
+  }
+  if (!existed)
+  {
+    std::filesystem::remove(path);
+  }
+}
+
+void RequireDisplay()
+{
+  // VTK's window would abort the program.
+  if (!IsDisplayOpen())
+  {
+    throw UserError("OpenGL needs an X display, and none can be opened; use ./dev bench, or run "
+                    "this by xvfb-run -a -s -noreset");
+  }
+}
+
+/// The parser would take the next argument for the value.
+void RefuseEmptyValues(int argc, char* argv[])
+{
+  for (int i = 1; i < argc; ++i)
+  {
+    const std::string argument = argv[i];
+    if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1)
+    {
+      throw UserError(argument + " has no value; see --help");
+    }
+  }
+}
+
+void Run(const Options& options)
+{
+  const std::vector<SceneMaker> makers = MakersWith(options.Only);
+  if (options.List)
+  {
+    for (const SceneMaker& maker : makers)
+    {
+      std::printf("%s\n", maker.Name.c_str());
+    }
+    return;
+  }
+  const std::string& file = options.Scaling.empty() ? options.Json : options.Scaling;
+  if (!file.empty())
+  {
+    RequireWritable(file);
+  }
+  RequireDisplay();
+  const nlohmann::json report =
+    options.Scaling.empty() ? Benchmark(makers, options.Blocks) : Scaling();
+  if (!file.empty())
+  {
+    Write(file, report);
   }
 }
 }
@@ -104,44 +188,37 @@ void Write(const std::string& path, const nlohmann::json& report)
 int main(int argc, char* argv[])
 {
   CLI::App app(kAbout);
-  std::string only, json, scaling;
-  int blocks = 4;
-  bool list = false;
-  app.add_option("--only", only, "scenes whose name contains this");
-  app.add_option("--blocks", blocks, "blocks of five frames a way")->check(CLI::Range(1, 1000));
-  app.add_option("--json", json, "also write the figures to this file");
-  app.add_option("--scaling", scaling,
+  Options options;
+  app.add_option("--only", options.Only, "scenes whose name contains this");
+  app
+    .add_option(
+      "--blocks", options.Blocks, "blocks of five frames a way, of which the first is not counted")
+    ->capture_default_str()
+    ->check(CLI::Range(1, 1000));
+  app.add_option("--json", options.Json, "also write the figures to this file");
+  app.add_option("--scaling", options.Scaling,
     "instead, write to this file how the cost grows with triangles, pixels, samples, actors and "
     "threads");
-  app.add_flag("--list", list, "print the scenes' names");
-  CLI11_PARSE(app, argc, argv);
-
-  const std::vector<SceneMaker> makers = MakersWith(only);
-  if (list)
-  {
-    for (const SceneMaker& maker : makers)
-    {
-      std::printf("%s\n", maker.Name.c_str());
-    }
-    return EXIT_SUCCESS;
-  }
+  app.add_flag("--list", options.List, "print the scenes' names");
   try
   {
-    if (!scaling.empty())
-    {
-      Write(scaling, Scaling());
-      return EXIT_SUCCESS;
-    }
-    const nlohmann::json report = Benchmark(makers, blocks);
-    if (!json.empty())
-    {
-      Write(json, report);
-    }
+    RefuseEmptyValues(argc, argv);
+    app.parse(argc, argv);
+    Run(options);
+    return EXIT_SUCCESS;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return app.exit(error) == EXIT_SUCCESS ? EXIT_SUCCESS : kStatusOfUserError;
+  }
+  catch (const UserError& error)
+  {
+    std::fprintf(stderr, "limn_benchmark: error: %s\n", error.what());
+    return kStatusOfUserError;
   }
   catch (const std::exception& error)
   {
-    std::fprintf(stderr, "limn_benchmark: %s\n", error.what());
+    std::fprintf(stderr, "limn_benchmark: error: %s\n", error.what());
     return EXIT_FAILURE;
   }
-  return EXIT_SUCCESS;
 }

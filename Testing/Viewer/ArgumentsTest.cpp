@@ -224,6 +224,20 @@ INSTANTIATE_TEST_SUITE_P(Arguments, BadValue,
     "--coloring-range=1,1", "--coloring-range=2,1", "--coloring-range=0,nan", "--threads=0",
     "--threads=-2", "--threads=two", "--threads=1.5", "--opacity=x", "--output=", "--color="));
 
+TEST(Arguments, FactorsOfLightMayExceed1AndColorsOfThePictureMayNot)
+{
+  for (const std::string option :
+    { "--color", "--ambient", "--diffuse", "--specular", "--cool", "--warm", "--ambient-light" })
+  {
+    EXPECT_EQ(renderErrorOf({ option + "=300,0,0", "--tone=gooch" }), "") << option;
+  }
+  for (const std::string option : { "--background-color", "--outline-color" })
+  {
+    EXPECT_NE(renderErrorOf({ option + "=300,0,0" }).find("from 0 to 1"), std::string::npos)
+      << option;
+  }
+}
+
 TEST(Arguments, ResolutionMustBePositiveAndBounded)
 {
   for (const std::string text : { "0,10", "10,-1", "10", "10,20,30", "16385,10", "1e3,10", "x,y" })
