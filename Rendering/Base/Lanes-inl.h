@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Vec3f and its functions, one value a lane, operation by operation as in Vec.h. Compiled once per
-// instruction set by whoever includes it.
+// Vec2f, Vec3f and Vec4f and their functions, one value a lane, operation by operation as in Vec.h.
+// Compiled once per instruction set by whoever includes it.
 #include "Rendering/Base/Simd.h"
 #include "Rendering/Base/Vec.h"
 
@@ -24,6 +24,13 @@ using M = hn::Mask<D>;
 
 struct Lanes3 {
   V x, y, z;
+};
+
+struct Lanes2 {
+  V x, y;
+};
+struct Lanes4 {
+  V x, y, z, w;
 };
 
 HWY_INLINE V set(float value)
@@ -49,6 +56,47 @@ HWY_INLINE Lanes3 mul(Lanes3 a, Lanes3 b)
 HWY_INLINE Lanes3 mul(Lanes3 a, V s)
 {
   return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s)};
+}
+HWY_INLINE Lanes2 set(Vec2f v)
+{
+  return {set(v.x), set(v.y)};
+}
+HWY_INLINE Lanes2 add(Lanes2 a, Lanes2 b)
+{
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y)};
+}
+HWY_INLINE Lanes2 sub(Lanes2 a, Lanes2 b)
+{
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y)};
+}
+HWY_INLINE Lanes2 mul(Lanes2 a, V s)
+{
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s)};
+}
+HWY_INLINE Lanes2 choose(M mask, Lanes2 yes, Lanes2 no)
+{
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y)};
+}
+HWY_INLINE Lanes4 set(Vec4f v)
+{
+  return {set(v.x), set(v.y), set(v.z), set(v.w)};
+}
+HWY_INLINE Lanes4 add(Lanes4 a, Lanes4 b)
+{
+  return {hn::Add(a.x, b.x), hn::Add(a.y, b.y), hn::Add(a.z, b.z), hn::Add(a.w, b.w)};
+}
+HWY_INLINE Lanes4 sub(Lanes4 a, Lanes4 b)
+{
+  return {hn::Sub(a.x, b.x), hn::Sub(a.y, b.y), hn::Sub(a.z, b.z), hn::Sub(a.w, b.w)};
+}
+HWY_INLINE Lanes4 mul(Lanes4 a, V s)
+{
+  return {hn::Mul(a.x, s), hn::Mul(a.y, s), hn::Mul(a.z, s), hn::Mul(a.w, s)};
+}
+HWY_INLINE Lanes4 choose(M mask, Lanes4 yes, Lanes4 no)
+{
+  return {hn::IfThenElse(mask, yes.x, no.x), hn::IfThenElse(mask, yes.y, no.y),
+          hn::IfThenElse(mask, yes.z, no.z), hn::IfThenElse(mask, yes.w, no.w)};
 }
 HWY_INLINE Lanes3 neg(Lanes3 a)
 {

@@ -46,6 +46,72 @@ constexpr bool operator==(Vec3<T> a, Vec3<T> b)
   return a.x == b.x && a.y == b.y && a.z == b.z;
 }
 
+/// Two numbers: a texture coordinate.
+template <class T>
+struct Vec2 {
+  T x, y;
+};
+using Vec2f = Vec2<float>;
+
+template <class T>
+constexpr Vec2<T> operator+(Vec2<T> a, Vec2<T> b)
+{
+  return {a.x + b.x, a.y + b.y};
+}
+template <class T>
+constexpr Vec2<T> operator-(Vec2<T> a, Vec2<T> b)
+{
+  return {a.x - b.x, a.y - b.y};
+}
+template <class T>
+constexpr Vec2<T> operator*(Vec2<T> a, T s)
+{
+  return {a.x * s, a.y * s};
+}
+template <class T>
+constexpr bool operator==(Vec2<T> a, Vec2<T> b)
+{
+  return a.x == b.x && a.y == b.y;
+}
+template <class T>
+bool isFinite(Vec2<T> a)
+{
+  return std::isfinite(a.x) && std::isfinite(a.y);
+}
+
+/// Four numbers: an RGBA colour.
+template <class T>
+struct Vec4 {
+  T x, y, z, w;
+};
+using Vec4f = Vec4<float>;
+
+template <class T>
+constexpr Vec4<T> operator+(Vec4<T> a, Vec4<T> b)
+{
+  return {a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w};
+}
+template <class T>
+constexpr Vec4<T> operator-(Vec4<T> a, Vec4<T> b)
+{
+  return {a.x - b.x, a.y - b.y, a.z - b.z, a.w - b.w};
+}
+template <class T>
+constexpr Vec4<T> operator*(Vec4<T> a, T s)
+{
+  return {a.x * s, a.y * s, a.z * s, a.w * s};
+}
+template <class T>
+constexpr bool operator==(Vec4<T> a, Vec4<T> b)
+{
+  return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
+template <class T>
+bool isFinite(Vec4<T> a)
+{
+  return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z) && std::isfinite(a.w);
+}
+
 /// (ax*bx + ay*by) + az*bz: the one order of operations, shared with the vector kernels.
 template <class T>
 constexpr T dot(Vec3<T> a, Vec3<T> b)
