@@ -9,6 +9,7 @@
 #include "Rendering/CheckScene.h"
 #include "Rendering/Post/ClearPixels.h"
 #include "Rendering/Post/EffectPass.h"
+#include "Rendering/Post/ResolveRadiance.h"
 #include "Rendering/Post/ResolveTile.h"
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Reference/ReferenceEffects.h"
@@ -78,6 +79,8 @@ std::size_t drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t
                    memory.fragments);
   memory.colors.hasRadiance = !frame.radiance.empty();
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
+  if (memory.colors.hasRadiance)
+    resolveRadiance(clusters, pixels, memory.fragments, memory.colors, frame);
   resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
   return occluded;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Post/ResolveTile.h"
 
+#include "Rendering/Post/TilePlace.h"
 #include "Rendering/Base/ResolveTable.h"
 
 #include <algorithm>
@@ -44,47 +45,6 @@ class ColorSum {
   std::uint32_t r_ = 0, g_ = 0, b_ = 0, a_ = 0, count_ = 0;
 };
 
-/// The same of radiance, as RadianceView says.
-class RadianceSum {
- public:
-  explicit RadianceSum(const RadianceView& out) : out_(out) {}
-
-  void add(const RadianceArrays& from, std::size_t i, std::uint32_t samples)
-  {
-    add({from.r[i], from.g[i], from.b[i]}, samples);
-  }
-  void addOld(std::ptrdiff_t index, std::uint32_t samples)
-  {
-    add({out_.r[index], out_.g[index], out_.b[index]}, samples);
-  }
-  void writeMean(std::ptrdiff_t index) const
-  {
-    const auto count = static_cast<float>(count_);
-    out_.r[index] = sum_.x / count;
-    out_.g[index] = sum_.y / count;
-    out_.b[index] = sum_.z / count;
-  }
-
- private:
-  void add(Vec3f radiance, std::uint32_t samples)
-  {
-    sum_ = sum_ + radiance * static_cast<float>(samples);
-    count_ += samples;
-  }
-
-  const RadianceView& out_;
-  Vec3f sum_ = {0, 0, 0};
-  std::uint32_t count_ = 0;
-};
-
-std::uint32_t bitCount(std::uint8_t bits)
-{
-  std::uint32_t count = 0;
-  for (; bits != 0; bits = static_cast<std::uint8_t>(bits & (bits - 1)))
-    ++count;
-  return count;
-}
-
 struct Nearest {
   float depth;
   std::uint32_t owner;
@@ -104,23 +64,6 @@ Nearest nearestSample(const TileClusters& clusters, const VisibilityTile& tile, 
   }
   return nearest;
 }
-
-/// Where a tile's pixels lie in the frame.
-class TilePlace {
- public:
-  TilePlace(const TileRectangle& pixels, const FrameView& frame)
-      : first_(pixels.y0 * frame.rowStride + pixels.x0), rowStride_(frame.rowStride)
-  {
-  }
-  std::ptrdiff_t indexOf(std::size_t pixel) const
-  {
-    return first_ + static_cast<std::ptrdiff_t>(pixel / kTileSide) * rowStride_ +
-           static_cast<std::ptrdiff_t>(pixel % kTileSide);
-  }
-
- private:
-  std::ptrdiff_t first_, rowStride_;
-};
 
 void writeNames(const TileClusters& clusters, std::uint32_t owner, const FrameView& frame,
                 std::ptrdiff_t index, std::size_t count)
@@ -144,14 +87,6 @@ void copyDepth(const VisibilityTile& tile, const TileRectangle& pixels, const Fr
                 frame.depth + y * frame.rowStride + pixels.x0);
 }
 
-void copyRadiance(const RadianceArrays& from, std::size_t i, const RadianceView& out,
-                  std::ptrdiff_t index, std::size_t count)
-{
-  std::copy_n(from.r.data() + i, count, out.r + index);
-  std::copy_n(from.g.data() + i, count, out.g + index);
-  std::copy_n(from.b.data() + i, count, out.b + index);
-}
-
 /// All of a run's samples show one triangle, so nothing is mixed.
 void copyRuns(const TileClusters& clusters, const VisibilityTile& tile, const TilePlace& place,
               const FragmentList& fragments, const TileColors& colors, const FrameView& frame)
@@ -163,8 +98,6 @@ void copyRuns(const TileClusters& clusters, const VisibilityTile& tile, const Ti
     if (run.length == 0) continue;
     const std::ptrdiff_t index = place.indexOf(run.pixel);
     std::copy_n(colors.pixel + run.pixel, run.length, frame.color + index);
-    if (colors.hasRadiance)
-      copyRadiance(colors.pixelRadiance, run.pixel, frame.radiance, index, run.length);
     for (int i = 0; samples > 1 && i < run.length; ++i) {
       float nearest = tile.depth[0][run.pixel + i];
       for (int s = 1; s < samples; ++s)
@@ -183,26 +116,9 @@ void copyFragments(const TileClusters& clusters, const TilePlace& place,
   for (std::size_t f = 0; f < fragments.count; ++f) {
     const std::ptrdiff_t index = place.indexOf(fragments.pixel[f]);
     frame.color[index] = colors.fragment[f];
-    if (colors.hasRadiance) copyRadiance(colors.fragmentRadiance, f, frame.radiance, index, 1);
     if (frame.coverage != nullptr) frame.coverage[index] = 1;
     writeNames(clusters, fragments.owner[f], frame, index, 1);
   }
-}
-
-struct MixedPixel {
-  std::ptrdiff_t index;      ///< in the frame
-  std::size_t first, end;    ///< of its fragments
-  std::uint32_t oldSamples;  ///< that show what the frame held
-};
-
-void mixRadiance(const MixedPixel& pixel, const FragmentList& fragments,
-                 const RadianceArrays& radiance, const FrameView& frame)
-{
-  RadianceSum sum(frame.radiance);
-  for (std::size_t f = pixel.first; f < pixel.end; ++f)
-    sum.add(radiance, f, bitCount(fragments.coverage[f]));
-  if (pixel.oldSamples > 0) sum.addOld(pixel.index, pixel.oldSamples);
-  sum.writeMean(pixel.index);
 }
 
 /// Fragments of pixels with several samples.
@@ -232,9 +148,6 @@ void mixFragments(const TileClusters& clusters, const VisibilityTile& tile, cons
     const bool uniform =
         next == first + 1 && (covered == samples || frame.background == Background::kKeepApart);
     frame.color[index] = uniform ? firstColor : sum.mean();
-    const std::uint32_t oldSamples = frame.background == Background::kBlend ? samples - covered : 0;
-    if (colors.hasRadiance)
-      mixRadiance({index, first, next, oldSamples}, fragments, colors.fragmentRadiance, frame);
     const Nearest nearest = nearestSample(clusters, tile, scene.samples, pixel);
     frame.depth[index] = nearest.depth;
     if (frame.coverage != nullptr) frame.coverage[index] = coverage;

@@ -65,10 +65,10 @@ struct RadianceArrays {
 
 /// Colours of the fragments of one tile; alpha 255.
 struct TileColors {
-  Array<Rgba8> fragment;                           ///< as FragmentList lists them
   alignas(64) Rgba8 pixel[kTilePixels];            ///< where runs lie
-  bool hasRadiance = false;                        ///< asks the shader for the two below
-  RadianceArrays fragmentRadiance, pixelRadiance;  ///< of `fragment` and `pixel`
+  Array<Rgba8> fragment;                           ///< as FragmentList lists them
+  RadianceArrays pixelRadiance, fragmentRadiance;  ///< of the two; only with hasRadiance
+  bool hasRadiance = false;                        ///< asks the shader for them
 };
 
 class FragmentShader {

@@ -291,18 +291,6 @@ struct TriangleFragments {
     hn::Store(value.y, D(), radiance[1] + i);
     hn::Store(value.z, D(), radiance[2] + i);
   }
-  /// One colour for all.
-  HWY_INLINE void paint(Lanes3 value, bool hasRadiance)
-  {
-    const hn::RebindToUnsigned<D> du;
-    const auto bytes = quantized(value);
-    for (std::size_t i = 0; i < count; i += hn::Lanes(du))
-      hn::Store(bytes, du, color + i);
-    if (!hasRadiance) return;
-    const Lanes3 bounded = radianceOf(value);
-    for (std::size_t i = 0; i < count; i += hn::Lanes(D()))
-      storeRadiance(bounded, i);
-  }
   /// Gives the runs from `run` to before `end` their colours.
   void give(const FragmentList& fragments, std::uint16_t run, std::uint16_t end,
             Rgba8* pixels) const
@@ -386,12 +374,27 @@ class TriangleWeights {
   float inverseW_[3];
 };
 
+/// Fragments of one triangle. Without radiance, one evaluation serves all where it can.
+template <bool kHasRadiance>
+void shadeFragments(Shader<TriangleLanes>& shader, TriangleFragments& fragments)
+{
+  const hn::RebindToUnsigned<D> du;
+  const auto colorAt = [&](std::size_t i) HWY_ATTR {
+    const Lanes3 color =
+        shader.colorAt(fragments.weight[0] + i, fragments.weight[1] + i, fragments.weight[2] + i);
+    if constexpr (kHasRadiance) fragments.storeRadiance(radianceOf(color), i);
+    return quantized(color);
+  };
+  const bool isConstant = !kHasRadiance && shader.isConstant();
+  const auto constant = isConstant ? colorAt(0) : hn::Zero(du);
+  for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(du))
+    hn::Store(isConstant ? constant : colorAt(i), du, fragments.color + i);
+}
+
 void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pixels,
                           const FragmentList& list, Span<const std::uint32_t> numbers,
                           const FragmentBatch& batch, TileColors& colors)
 {
-  const hn::RebindToUnsigned<D> du;
-  const bool hasRadiance = colors.hasRadiance;
   TriangleFragments fragments;
   for (std::size_t t = 0; t < numbers.size(); ++t) {
     if (batch.needsClip[t] != 0) continue;
@@ -403,21 +406,12 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
       const std::uint16_t first = run;
       run = fragments.take(list, run);
       weights.weigh(fragments);
-      const auto colorAt = [&](std::size_t i) HWY_ATTR {
-        return shader.colorAt(fragments.weight[0] + i, fragments.weight[1] + i,
-                              fragments.weight[2] + i);
-      };
-      if (shader.isConstant()) {
-        fragments.paint(colorAt(0), hasRadiance);
-      } else {
-        for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(D())) {
-          const Lanes3 color = colorAt(i);
-          hn::Store(quantized(color), du, fragments.color + i);
-          if (hasRadiance) fragments.storeRadiance(radianceOf(color), i);
-        }
-      }
+      if (colors.hasRadiance)
+        shadeFragments<true>(shader, fragments);
+      else
+        shadeFragments<false>(shader, fragments);
       fragments.give(list, first, run, colors.pixel);
-      if (hasRadiance) fragments.giveRadiance(list, first, run, colors.pixelRadiance);
+      if (colors.hasRadiance) fragments.giveRadiance(list, first, run, colors.pixelRadiance);
     }
   }
 }

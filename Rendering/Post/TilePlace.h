@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Binning/TileGrid.h"
+#include "Rendering/FrameView.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace limn {
+
+/// Where a tile's pixels lie in the frame.
+class TilePlace {
+ public:
+  TilePlace(const TileRectangle& pixels, const FrameView& frame)
+      : first_(pixels.y0 * frame.rowStride + pixels.x0), rowStride_(frame.rowStride)
+  {
+  }
+  std::ptrdiff_t indexOf(std::size_t pixel) const
+  {
+    return first_ + static_cast<std::ptrdiff_t>(pixel / kTileSide) * rowStride_ +
+           static_cast<std::ptrdiff_t>(pixel % kTileSide);
+  }
+
+ private:
+  std::ptrdiff_t first_, rowStride_;
+};
+
+/// Samples of a coverage.
+inline std::uint32_t bitCount(std::uint8_t bits)
+{
+  std::uint32_t count = 0;
+  for (; bits != 0; bits = static_cast<std::uint8_t>(bits & (bits - 1)))
+    ++count;
+  return count;
+}
+
+}  // namespace limn
