@@ -6,7 +6,6 @@
 #include "Private/DrawSurfaces.h"
 #include "Private/MapperInternals.h"
 
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -109,18 +108,17 @@ void vtkLimnPolyDataMapper::ComputeBounds()
   vtkPolyData* const data = limn::bridge::inputOf(this);
   if (!bounds.update(data))
   {
+    // Without an input VTK has reset them.
+    std::copy(bounds.values().begin(), bounds.values().end(), this->Bounds);
     return;
   }
   if (bounds.areSafe())
   {
     this->Superclass::ComputeBounds();
+    bounds.remember(this->Bounds);
     return;
   }
-  vtkMath::UninitializeBounds(this->Bounds);
-  if (bounds.values()[0] <= bounds.values()[1])
-  {
-    std::copy(bounds.values().begin(), bounds.values().end(), this->Bounds);
-  }
+  std::copy(bounds.values().begin(), bounds.values().end(), this->Bounds);
 }
 
 //------------------------------------------------------------------------------

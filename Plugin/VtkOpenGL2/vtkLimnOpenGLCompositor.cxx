@@ -53,18 +53,11 @@ private:
   unsigned long Tag = 0;
 };
 
-struct Twin
-{
-  BackendActor Backend;
-  Observation OfActor;
-  Observation OfMapper;
-};
-
 struct WindowState
 {
   explicit WindowState(vtkOpenGLRenderWindow* window) : Painter(window) {}
   LayerPainter Painter;
-  std::map<vtkObject*, std::map<vtkObject*, Twin>> Twins; ///< by actor, then by mapper
+  std::map<vtkObject*, std::map<vtkObject*, BackendActor>> Twins; ///< by actor, then by mapper
   Observation OfWindow;
 };
 }
@@ -87,20 +80,29 @@ public:
   BackendActor& TwinOf(vtkOpenGLRenderWindow* window, vtkActor* actor, vtkMapper* mapper,
     vtkLimnOpenGLCompositor* owner)
   {
-    Twin& twin = this->StateOf(window, owner).Twins[actor][mapper];
-    if (!twin.OfActor.IsActive())
-    {
-      twin.OfActor = Observation(actor,
-        actor->AddObserver(vtkCommand::DeleteEvent, owner, &vtkLimnOpenGLCompositor::ForgetActor));
-      twin.OfMapper = Observation(mapper, mapper->AddObserver(vtkCommand::DeleteEvent, owner,
-                                            &vtkLimnOpenGLCompositor::ForgetMapper));
-    }
-    return twin.Backend;
+    this->Observe(actor, owner, &vtkLimnOpenGLCompositor::ForgetActor);
+    this->Observe(mapper, owner, &vtkLimnOpenGLCompositor::ForgetMapper);
+    return this->StateOf(window, owner).Twins[actor][mapper];
   }
 
   std::map<vtkObject*, WindowState> Windows;
+  /// Of actors and mappers that have twins: one each, as every event of an object asks all its
+  /// observers, and a mapper may have thousands of actors.
+  std::map<vtkObject*, Observation> Observations;
   SelectionIds Selection;
   Observation OfSelectingRenderer;
+
+private:
+  using Forget = void (vtkLimnOpenGLCompositor::*)(vtkObject*, unsigned long, void*);
+  void Observe(vtkObject* object, vtkLimnOpenGLCompositor* owner, Forget forget)
+  {
+    Observation& observation = this->Observations[object];
+    if (!observation.IsActive())
+    {
+      observation =
+        Observation(object, object->AddObserver(vtkCommand::DeleteEvent, owner, forget));
+    }
+  }
 };
 
 vtkStandardNewMacro(vtkLimnOpenGLCompositor);
@@ -249,6 +251,7 @@ void vtkLimnOpenGLCompositor::ForgetActor(vtkObject* caller, unsigned long, void
   {
     window.second.Twins.erase(caller);
   }
+  this->Internals->Observations.erase(caller);
 }
 
 void vtkLimnOpenGLCompositor::ForgetMapper(vtkObject* caller, unsigned long, void*)
@@ -260,4 +263,5 @@ void vtkLimnOpenGLCompositor::ForgetMapper(vtkObject* caller, unsigned long, voi
       twinsOfActor.second.erase(caller);
     }
   }
+  this->Internals->Observations.erase(caller);
 }

@@ -244,6 +244,22 @@ void checkWhatIsPreparedAnew()
   CHECK(!isChanged());
   CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 6);
 }
+
+// VTK resets a mapper's bounds while there is no input.
+void checkInputTakenAwayAndGivenBack()
+{
+  Stage stage;
+  stage.LookFlat();
+  const vtkSmartPointer<vtkPolyData> data = makeSquare(10, 20);
+  stage.Mapper->SetInputData(data);
+  const Picture before = render(stage.Window);
+  const double right = stage.Mapper->GetBounds()[1];
+  stage.Mapper->SetInputData(nullptr);
+  CHECK(stage.Mapper->GetBounds()[1] < stage.Mapper->GetBounds()[0]);
+  stage.Mapper->SetInputData(data);
+  CHECK_EQUAL(stage.Mapper->GetBounds()[1], right);
+  CHECK(before == render(stage.Window));
+}
 }
 
 int TestLimnCaching(int, char*[])
@@ -252,5 +268,6 @@ int TestLimnCaching(int, char*[])
   checkReplacedData();
   checkDataModifiedByObserver();
   checkWhatIsPreparedAnew();
+  checkInputTakenAwayAndGivenBack();
   return result();
 }

@@ -9,6 +9,7 @@
 #include "vtkLimnCompositor.h"
 
 #include "vtkAssembly.h"
+#include "vtkCallbackCommand.h"
 #include "vtkCompositePolyDataMapper2.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkObjectFactory.h"
@@ -272,6 +273,30 @@ TEST(BackendActor, GoesWithItsActor)
     scene.Renderer->RemoveActor(actor);
   }
   EXPECT_EQ(property->GetReferenceCount(), 1);
+}
+
+// Each event of a mapper asks all its observers: one for each of its actors would be a frame time
+// that grows with the square of their number.
+TEST(BackendActor, ObservesAMapperOnceForAllItsActors)
+{
+  vtkSmartPointer<vtkLimnCompositor> compositor = MakeCompositor();
+  vtkNew<vtkTrivialProducer> source;
+  source->SetOutput(MakeQuads());
+  vtkNew<BareMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  GLScene scene(0);
+  constexpr int kActors = 20;
+  for (int i = 0; i < kActors; ++i)
+  {
+    vtkSmartPointer<vtkActor> actor = MakeHandedOverActor(source->GetOutputPort(), compositor);
+    actor->SetMapper(mapper);
+    scene.Renderer->AddActor(actor);
+  }
+  // Observers of an object are numbered.
+  vtkNew<vtkCallbackCommand> nobody;
+  const unsigned long first = mapper->AddObserver(vtkCommand::UserEvent, nobody);
+  scene.Render();
+  EXPECT_LT(mapper->AddObserver(vtkCommand::UserEvent, nobody) - first, 5u);
 }
 
 // Windows, actors and the compositor may go in any order, and graphics resources come back.

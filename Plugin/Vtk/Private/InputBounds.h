@@ -5,6 +5,7 @@
 
 #include "vtkType.h"
 
+#include <algorithm>
 #include <array>
 
 class vtkPolyData;
@@ -23,15 +24,18 @@ public:
   /// True if VTK can be left to compute the bounds.
   bool areSafe() const { return areSafe_; }
 
-  /// Of the existing, finite points of cells, as xmin, xmax, ymin, ymax, zmin, zmax; xmin > xmax if
-  /// there are none. Call only after areSafe() was false.
+  /// What VTK has computed.
+  void remember(const double* bounds) { std::copy_n(bounds, bounds_.size(), bounds_.begin()); }
+
+  /// Of the existing, finite points of cells, as xmin, xmax, ymin, ymax, zmin, zmax; (1, -1) on
+  /// each axis if there are none. If areSafe(), call remember() first.
   const std::array<double, 6>& values() const { return bounds_; }
 
 private:
   const void* data_ = nullptr;
   vtkMTimeType time_ = 0;
   bool areSafe_ = true;
-  std::array<double, 6> bounds_;
+  std::array<double, 6> bounds_ = { 1, -1, 1, -1, 1, -1 };
 };
 
 } // namespace limn::bridge
