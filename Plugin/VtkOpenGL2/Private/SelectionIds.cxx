@@ -6,6 +6,8 @@
 #include "vtkHardwareSelector.h"
 #include "vtkOpenGLPolyDataMapper.h"
 
+#include <unordered_map>
+
 namespace
 {
 int CodeOf(const unsigned char* rgb)
@@ -23,17 +25,22 @@ int CodeOf(const float* color)
   return CodeOf(rgb);
 }
 
-std::vector<unsigned int> PixelsOf(int code, vtkHardwareSelector* selector)
+using PixelsByCode = std::unordered_map<int, std::vector<unsigned int>>;
+
+/// Offsets into the selector's buffers, by what the actor pass drew there.
+PixelsByCode AllPixels(vtkHardwareSelector* selector)
 {
+  constexpr int Nobody = 0;
   const unsigned int* area = selector->GetArea();
   const unsigned int pixels = (area[2] - area[0] + 1) * (area[3] - area[1] + 1);
   const unsigned char* codes = selector->GetRawPixelBuffer(vtkHardwareSelector::ACTOR_PASS);
-  std::vector<unsigned int> offsets;
+  PixelsByCode offsets;
   for (unsigned int offset = 0; codes && offset < 3 * pixels; offset += 3)
   {
-    if (CodeOf(codes + offset) == code)
+    const int code = CodeOf(codes + offset);
+    if (code != Nobody)
     {
-      offsets.push_back(offset);
+      offsets[code].push_back(offset);
     }
   }
   return offsets;
@@ -52,12 +59,16 @@ void SelectionIds::Note(
 
 void SelectionIds::Translate(vtkHardwareSelector* selector)
 {
-  for (const Draw& draw : this->Drawn)
+  if (selector->GetCurrentPass() > vtkHardwareSelector::ACTOR_PASS)
   {
-    if (draw.Actor && selector->GetCurrentPass() > vtkHardwareSelector::ACTOR_PASS)
+    PixelsByCode pixels = AllPixels(selector);
+    for (const Draw& draw : this->Drawn)
     {
-      std::vector<unsigned int> offsets = PixelsOf(this->ActorCode[draw.Twin], selector);
-      draw.Twin->ProcessSelectorPixelBuffers(selector, offsets, draw.Actor);
+      if (draw.Actor)
+      {
+        draw.Twin->ProcessSelectorPixelBuffers(
+          selector, pixels[this->ActorCode[draw.Twin]], draw.Actor);
+      }
     }
   }
   this->Drawn.clear();
