@@ -30,12 +30,13 @@ struct SelectedSurface
   int PropID;
 };
 
-struct IdPlanes
+struct SelectionPlanes
 {
   int Width = 0;
   int Height = 0;
   std::vector<std::uint32_t> Instance;
   std::vector<std::uint32_t> Cell;
+  std::vector<float> Depth;
 };
 }
 
@@ -43,7 +44,7 @@ class vtkLimnHardwareSelector::vtkInternals
 {
 public:
   std::vector<SelectedSurface> Surfaces;
-  IdPlanes Planes;
+  SelectionPlanes Planes;
   int Origin[2] = { 0, 0 };
   std::vector<int> PropOfInstance;
 };
@@ -123,24 +124,24 @@ void vtkLimnHardwareSelector::DrawIds()
       selected.PropOfInstance.push_back(surface.PropID);
     }
   }
-  IdPlanes& planes = selected.Planes;
+  SelectionPlanes& planes = selected.Planes;
   this->Renderer->GetTiledSizeAndOrigin(
     &planes.Width, &planes.Height, &selected.Origin[0], &selected.Origin[1]);
   const size_t pixels = static_cast<size_t>(std::max(planes.Width, 0)) * std::max(planes.Height, 0);
   planes.Instance.assign(pixels, limn::kNobody);
   planes.Cell.assign(pixels, limn::kNobody);
+  planes.Depth.assign(pixels, 1.0f);
   if (instances.empty() || pixels == 0)
   {
     return;
   }
   std::vector<limn::Rgba8> color(pixels);
-  std::vector<float> depth(pixels, 1.0f);
   limn::FrameView frame;
   frame.width = planes.Width;
   frame.height = planes.Height;
   frame.rowStride = planes.Width;
   frame.color = color.data();
-  frame.depth = depth.data();
+  frame.depth = planes.Depth.data();
   frame.instance = planes.Instance.data();
   frame.cell = planes.Cell.data();
   const std::vector<limn::Light> lights = limn::bridge::lightsOf(this->Renderer);
@@ -157,9 +158,21 @@ void vtkLimnHardwareSelector::DrawIds()
 }
 
 //------------------------------------------------------------------------------
+void vtkLimnHardwareSelector::LeaveDepth()
+{
+  auto& frame = vtkLimnRenderWindow::SafeDownCast(this->Renderer->GetRenderWindow())->GetFrame();
+  const vtkInternals& selected = *this->Internals;
+  const float* const depth = selected.Planes.Depth.data();
+  frame.ForEachRow(frame.GetDepth(),
+    { selected.Origin[0], selected.Origin[1], selected.Planes.Width, selected.Planes.Height },
+    [depth](float* row, size_t count, size_t index) { std::copy_n(depth + index, count, row); });
+}
+
+//------------------------------------------------------------------------------
 void vtkLimnHardwareSelector::SavePixelBuffer(int vtkNotUsed(pass))
 {
   this->DrawIds();
+  this->LeaveDepth();
   const vtkInternals& selected = *this->Internals;
   const int width = static_cast<int>(this->Area[2] - this->Area[0]) + 1;
   const int height = static_cast<int>(this->Area[3] - this->Area[1]) + 1;

@@ -5,8 +5,9 @@
  * @brief   tells which actors and cells are seen in a vtkLimnRenderWindow
  *
  * Draws who and which cell is nearest at each pixel, once and into memory of its own: the window's
- * picture stays as it is. Cells are those of surfaces. Points cannot be selected yet; asking for
- * them is an error, and nothing is selected.
+ * picture stays as it is. Its depth becomes that of what can be picked, as in VTK's windows, until
+ * it is rendered again: vtkPropPicker reads there where the prop was hit. Cells are those of
+ * surfaces. Points cannot be selected yet; asking for them is an error, and nothing is selected.
  *
  * @sa
  * vtkLimnRenderWindow
@@ -52,6 +53,7 @@ private:
 
   int RenderPickableProps();
   void DrawIds();
+  void LeaveDepth();
   void SaveIds(int pass, const std::vector<vtkIdType>& ids);
 
   class vtkInternals;

@@ -14,10 +14,12 @@
 #include "vtkDataObject.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkPropCollection.h"
 #include "vtkPropPicker.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -43,6 +45,82 @@ Selected select(Stage& stage, unsigned int x1, unsigned int y1, unsigned int x2,
     }
   }
   return selected;
+}
+
+/// Of 60 x 60 pixels, around the middle of the picture.
+vtkSmartPointer<vtkPolyData> bigSquare()
+{
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(flatPoints({ { 20, 10 }, { 80, 10 }, { 80, 70 }, { 20, 70 } }));
+  vtkNew<vtkCellArray> polys;
+  addCell(polys, { 0, 1, 2, 3 });
+  data->SetPolys(polys);
+  return data;
+}
+
+/// Where a ray through the middle of the picture meets what can be picked.
+double pickedHeight(vtkRenderer* renderer)
+{
+  vtkNew<vtkPropPicker> picker;
+  CHECK(picker->PickProp(50, 40, renderer) != 0);
+  return picker->GetPickPosition()[2];
+}
+
+// The window's depth is that of the nearest actor.
+void checkPickPosition(int samples)
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Window->SetMultiSamples(samples);
+  stage.Mapper->SetInputData(bigSquare());
+  stage.Actor->SetPosition(0, 0, 0.5);
+  vtkNew<vtkLimnActor> behind;
+  behind->SetMapper(stage.Mapper);
+  behind->SetPosition(0, 0, -0.5);
+  stage.Renderer->AddActor(behind);
+  const Picture before = render(stage.Window);
+  const double tolerance = 1e-6;
+  CHECK(std::abs(pickedHeight(stage.Renderer) - 0.5) < tolerance);
+  stage.Actor->PickableOff();
+  CHECK(std::abs(pickedHeight(stage.Renderer) + 0.5) < tolerance);
+  vtkNew<vtkPropCollection> all;
+  all->AddItem(behind);
+  stage.Actor->PickableOn();
+  vtkNew<vtkPropPicker> picker;
+  CHECK(picker->PickProp(50, 40, stage.Renderer, all) != 0);
+  CHECK(std::abs(picker->GetPickPosition()[2] + 0.5) < tolerance);
+  CHECK(read(stage.Window) == before);
+  CHECK(render(stage.Window) == before);
+  CHECK(std::abs(stage.Renderer->GetZ(50, 40) - 0.25) < tolerance);
+}
+
+// Of the renderer's viewport all pixels are left, of others none.
+void checkDepthAfterSelections()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(bigSquare());
+  stage.Renderer->SetViewport(0, 0, 0.5, 1);
+  vtkNew<vtkLimnRenderer> right;
+  right->SetViewport(0.5, 0, 1, 1);
+  right->SetActiveCamera(stage.Renderer->GetActiveCamera());
+  right->AddActor(stage.Actor);
+  stage.Window->AddRenderer(right);
+  stage.Window->Render();
+  const double depth = right->GetZ(75, 40);
+  CHECK_EQUAL(stage.Renderer->GetZ(25, 40), depth);
+  vtkNew<vtkLimnHardwareSelector> selector;
+  selector->SetRenderer(stage.Renderer);
+  selector->SetFieldAssociation(vtkDataObject::FIELD_ASSOCIATION_CELLS);
+  const auto depthAfterSelection = [&]
+  {
+    vtkSmartPointer<vtkSelection>::Take(selector->Select());
+    return stage.Renderer->GetZ(25, 40);
+  };
+  CHECK_EQUAL(depthAfterSelection(), depth);
+  stage.Actor->PickableOff();
+  CHECK_EQUAL(depthAfterSelection(), 1.0);
+  CHECK_EQUAL(right->GetZ(75, 40), depth);
 }
 }
 
@@ -91,6 +169,10 @@ int TestLimnSelector(int, char*[])
   look->SetRepresentationToSurface();
   look->EdgeVisibilityOn();
   CHECK(select(stage, 0, 0, 99, 79) == (Selected{ { stage.Actor, { 1, 2 } } }));
+
+  checkPickPosition(0);
+  checkPickPosition(4);
+  checkDepthAfterSelections();
 
   Messages messages;
   vtkNew<vtkLimnHardwareSelector> points;
