@@ -135,9 +135,11 @@ void checkErase()
   render(stage.Window);
   stage.Window->EraseOff();
   stage.Actor->SetPosition(0, 30, 0);
+  stage.Actor->RotateZ(10);
   const Picture picture = render(stage.Window);
   CHECK_EQUAL(picture.At(20, 20), White);
   CHECK_EQUAL(picture.At(20, 50), White);
+  CHECK(render(stage.Window) == picture);
 }
 
 void checkSizes()
