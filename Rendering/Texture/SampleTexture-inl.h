@@ -79,17 +79,21 @@ struct Level {
   VI columns, rows, offset;
 };
 
+HWY_INLINE Level levelOf(const TextureImage& image, std::int32_t number)
+{
+  const DI di;
+  const TextureImage::Levels& levels = image.levels();
+  const std::int32_t columns = levels.width[number], rows = levels.height[number];
+  return {set(static_cast<float>(columns)), set(static_cast<float>(rows)), hn::Set(di, columns),
+          hn::Set(di, rows), hn::Set(di, levels.offset[number])};
+}
 /// Mostly all lanes are on one level, and its numbers need not be gathered.
 HWY_INLINE Level levelOf(const TextureImage& image, VI number)
 {
   const DI di;
   const TextureImage::Levels& levels = image.levels();
   const std::int32_t first = hn::GetLane(number);
-  if (hn::AllTrue(di, hn::Eq(number, hn::Set(di, first)))) {
-    const std::int32_t columns = levels.width[first], rows = levels.height[first];
-    return {set(static_cast<float>(columns)), set(static_cast<float>(rows)), hn::Set(di, columns),
-            hn::Set(di, rows), hn::Set(di, levels.offset[first])};
-  }
+  if (hn::AllTrue(di, hn::Eq(number, hn::Set(di, first)))) return levelOf(image, first);
   const VI columns = hn::GatherIndex(di, levels.width, number);
   const VI rows = hn::GatherIndex(di, levels.height, number);
   return {hn::ConvertTo(D(), columns), hn::ConvertTo(D(), rows), columns, rows,
@@ -329,12 +333,17 @@ HWY_INLINE Footprint footprint(const TextureImage& image, const TextureSampler& 
   return {hn::Mul(set(0.5f), log2Normal(bounded)), probes, axis};
 }
 
+HWY_INLINE WrappedUv wrapped(const TextureSampler& sampler, Lanes2 uv)
+{
+  return {wrapped(sampler.wrapU, uv.x), wrapped(sampler.wrapV, uv.y)};
+}
+
 template <class AtLevel>
 HWY_INLINE auto trilinear(const TextureImage& image, const TextureSampler& sampler, Lanes2 uv,
                           V level, const AtLevel& atLevel)
 {
   const DI di;
-  const WrappedUv at = {wrapped(sampler.wrapU, uv.x), wrapped(sampler.wrapV, uv.y)};
+  const WrappedUv at = wrapped(sampler, uv);
   const VI finer = hn::ConvertTo(di, level);
   const V weight = hn::Sub(level, hn::ConvertTo(D(), finer));
   const auto fine = atLevel(at, levelOf(image, finer));
@@ -351,7 +360,7 @@ HWY_INLINE auto filtered(const TextureImage& image, const TextureSampler& sample
   const AtLevel atLevel(image, sampler);
   const V unit = set(image.unit()), one = set(1.0f);
   if (sampler.filter != TextureFilter::kTrilinear)
-    return mul(trilinear(image, sampler, uv, hn::Zero(D()), atLevel), unit);
+    return mul(atLevel(wrapped(sampler, uv), levelOf(image, 0)), unit);
   const Footprint print = footprint(image, sampler, finiteOrZero(ddx), finiteOrZero(ddy));
   if (sampler.maxAnisotropy == 1)
     return mul(trilinear(image, sampler, uv, print.level, atLevel), unit);

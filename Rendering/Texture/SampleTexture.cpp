@@ -245,11 +245,16 @@ Footprint footprint(const TextureImage& image, const TextureSampler& sampler, Ve
   return result;
 }
 
+WrappedUv wrapped(const TextureSampler& sampler, Vec2f uv)
+{
+  return {wrapped(sampler.wrapU, uv.x), wrapped(sampler.wrapV, uv.y)};
+}
+
 template <class AtLevel>
 auto trilinear(const TextureImage& image, const TextureSampler& sampler, Vec2f uv, float level,
                const AtLevel& atLevel)
 {
-  const WrappedUv at = {wrapped(sampler.wrapU, uv.x), wrapped(sampler.wrapV, uv.y)};
+  const WrappedUv at = wrapped(sampler, uv);
   const auto finer = static_cast<std::int32_t>(level);
   const float weight = level - static_cast<float>(finer);
   const auto fine = atLevel(at, levelOf(image, finer));
@@ -264,7 +269,7 @@ auto filtered(const TextureImage& image, const TextureSampler& sampler, Vec2f uv
 {
   const AtLevel atLevel(image, sampler);
   if (sampler.filter != TextureFilter::kTrilinear)
-    return trilinear(image, sampler, uv, 0.0f, atLevel) * image.unit();
+    return atLevel(wrapped(sampler, uv), levelOf(image, 0)) * image.unit();
   const Footprint print = footprint(image, sampler, finiteOrZero(ddx), finiteOrZero(ddy));
   if (sampler.maxAnisotropy == 1)
     return trilinear(image, sampler, uv, print.level, atLevel) * image.unit();
