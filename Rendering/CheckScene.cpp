@@ -89,6 +89,14 @@ Status checkMaterial(const Instance& instance, InstanceName name)
       !isNotNegative(m.ambientColor) || !isNotNegative(m.diffuseColor) ||
       !isNotNegative(m.specularColor))
     return {Error::kNotFinite, name + ": a material value is negative or not finite."};
+  if (!areNotNegative({m.roughness, m.metallic, m.rimPower}) || !isNotNegative(m.rim) ||
+      !isNotNegative(m.edgeTint))
+    return {Error::kNotFinite, name + ": a material value is negative or not finite."};
+  if (m.roughness > 1 || m.metallic > 1)
+    return {Error::kNotFinite, name + ": roughness and metallic have to be 0 to 1."};
+  if (!isFinite(m.refractiveIndex) ||
+      std::min({m.refractiveIndex.x, m.refractiveIndex.y, m.refractiveIndex.z}) < 1)
+    return {Error::kNotFinite, name + ": the refractive index has to be at least 1."};
   if (!isFinite(s.toneCool) || !isFinite(s.toneWarm) || !isFinite(s.outlineColor) ||
       !std::isfinite(s.coolSurface) || !std::isfinite(s.warmSurface) ||
       !std::isfinite(s.outlineThreshold))

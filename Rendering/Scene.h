@@ -67,6 +67,21 @@ enum class Reflection : std::uint8_t {
   kLambert,     ///< (12.1): k_a I_a + sum k_d I max(0, n.l)
   kBlinnPhong,  ///< (12.3): (12.1) + sum k_s I max(0, n.h)^p
   kPhong,       ///< (12.1) + sum k_s I max(0, r.v)^p, r the reflected ray
+  /// (k_d / pi + k_s max(0, n.h)^p) E, E = I max(0, n.l): the highlight has the cosine, too, and
+  /// k_d
+  /// is the share of light sent back (Fundamentals of Computer Graphics, 5.2).
+  kIrradiance,
+  /// (12.1) with each light times A + B max(0, cos(phi_l - phi_v)) sin(alpha) tan(beta), the
+  /// qualitative model of Oren and Nayar 1994; Material::roughness is their sigma. Flatter than
+  /// Lambert's: the moon.
+  kOrenNayar,
+  /// Facets by Trowbridge and Reitz (GGX), Smith's shadowing, Schlick's Fresnel term, over k_d / pi
+  /// for what is not a metal. Material::roughness squared is GGX's alpha. I in place of E / max(0,
+  /// n.l).
+  kMetallicRoughness,
+  /// The same as VTK's OpenGL shaders have it (interpolation PBR, no environment): other shadowing,
+  /// no ambient term, the sum to the power of 1/2.2.
+  kMetallicRoughnessAsVtk,
 };
 
 enum class Tone : std::uint8_t {
@@ -79,12 +94,25 @@ struct Material {
   Vec3f ambientColor = {1, 1, 1}, diffuseColor = {1, 1, 1}, specularColor = {1, 1, 1};
   float ambient = 0, diffuse = 1, specular = 0;  ///< k_a, k_d, k_s are colour times coefficient
   float specularPower = 1;                       ///< p >= 0
+  float roughness = 0.5f;                        ///< 0 to 1; see Reflection
+  float metallic = 0;                            ///< 0 to 1
+  /// By channel, at least 1; for Style::fresnel and for what is not a metal.
+  Vec3f refractiveIndex = {1.5f, 1.5f, 1.5f};
+  Vec3f edgeTint = {1, 1, 1};  ///< metals: what they reflect at grazing angles, 0 to 1
+  /// Velvet: k_a and k_d grow by rim (1 - max(0, n.v))^rimPower towards the outline, for all but
+  /// kAsVtk, kNone and the metallic models.
+  Vec3f rim = {0, 0, 0};
+  float rimPower = 3;  ///< >= 0
 };
 
 struct Style {
   ShadingFrequency frequency = ShadingFrequency::kPhong;
   NormalSource normals = NormalSource::kVertex;  ///< for kPhong and kGouraud
   Reflection reflection = Reflection::kAsVtk;
+  /// Multiplies k_s by Schlick's F = F_0 + (1 - F_0) (1 - h.l)^5, F_0 = ((mu - 1) / (mu + 1))^2
+  /// with the index of refraction mu, for kBlinnPhong, kPhong and kIrradiance.
+  bool fresnel = false;
+  bool fallOff = true;  ///< false: lights reach this instance whatever the distance
   /// A tone replaces the diffuse term: l is that of the first light. k_cool = toneCool +
   /// coolSurface k_d and k_warm = toneWarm + warmSurface k_d (Gooch 1998, equation 3). The
   /// highlight k_s max(0, n.h)^p of that light, without its colour, is added.

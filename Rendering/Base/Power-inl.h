@@ -55,6 +55,13 @@ HWY_INLINE V powerOf(V x, float p)
 {
   if (p == 0.0f) return set(1.0f);
   const M normal = hn::Ge(x, set(power_detail::kSmallestNormal));
+  const int squarings = squaringsFor(p);
+  if (squarings >= 0) {
+    V result = hn::IfThenElseZero(normal, x);
+    for (int i = 0; i < squarings; ++i)
+      result = hn::Mul(result, result);
+    return result;
+  }
   const V safe = hn::IfThenElse(normal, x, set(1.0f));
   return hn::IfThenElseZero(normal, exp2Clamped(hn::Mul(set(p), log2Normal(safe))));
 }

@@ -71,13 +71,25 @@ inline float exp2Clamped(float y)
 
 }  // namespace power_detail
 
+/// How often x has to be squared for x^p; -1 if p is not one of 1, 2, 4 ... 1024.
+inline int squaringsFor(float p)
+{
+  const std::int32_t bits = power_detail::bitsOf(p);
+  const std::int32_t exponent = (bits >> 23) - 127;
+  return (bits & 0x7FFFFF) == 0 && exponent >= 0 && exponent <= 10 ? exponent : -1;
+}
+
 /// x^p for p >= 0; 0 for x <= 0 and for denormal x, but x^0 = 1 always. Relative error below
-/// 2e-7 (1 + p |log2 x|).
+/// 2e-7 (1 + p |log2 x|), or p 6e-8 for powers of two up to 1024, which are made by squaring.
 inline float power(float x, float p)
 {
   if (p == 0.0f) return 1.0f;
   if (!(x >= power_detail::kSmallestNormal)) return 0.0f;
-  return power_detail::exp2Clamped(p * power_detail::log2Normal(x));
+  const int squarings = squaringsFor(p);
+  if (squarings < 0) return power_detail::exp2Clamped(p * power_detail::log2Normal(x));
+  for (int i = 0; i < squarings; ++i)
+    x = x * x;
+  return x;
 }
 
 /// Cosine of an angle of 0 to 180 degrees, to 1e-15: the Taylor series about 0, folded at 90.

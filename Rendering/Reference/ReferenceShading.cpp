@@ -33,7 +33,7 @@ Vec3f scaled(Vec3f color, float s)
   return color * s;
 }
 
-Arrival arrive(const ViewLight& light, Vec3f position)
+Arrival arrive(const ViewLight& light, Vec3f position, bool fallsOff)
 {
   if (!light.positional()) return {light.towardLight, 1.0f};
   const Vec3f way = light.position - position;
@@ -43,7 +43,7 @@ Arrival arrive(const ViewLight& light, Vec3f position)
   const Vec3f toward = way * inverse;
   const Vec3f a = light.attenuation;
   const float denominator = (a.x + a.y * distance) + a.z * squared;
-  float fall = denominator > 0.0f ? 1.0f / denominator : 0.0f;
+  float fall = !fallsOff ? 1.0f : denominator > 0.0f ? 1.0f / denominator : 0.0f;
   if (light.kind == LightKind::kSpot) {
     const float cosine = dot(toward, light.towardLight);
     fall = cosine >= light.coneCosine ? fall * power(cosine, light.exponent) : 0.0f;
@@ -68,10 +68,15 @@ float reflectedRay(Vec3f l, Vec3f v, const Surface& s)
   return power(positive(dot(r, v)), s.power);
 }
 
-/// VTK's own shaders (vtkOpenGLPolyDataMapper): one lone headlight has a path of its own.
-Vec3f asVtk(const std::vector<ViewLight>& lights, const Surface& s)
+bool isLoneHeadlight(const std::vector<ViewLight>& lights)
 {
-  if (lights.size() == 1 && lights[0].kind == LightKind::kHeadlight) {
+  return lights.size() == 1 && lights[0].kind == LightKind::kHeadlight;
+}
+
+/// VTK's own shaders (vtkOpenGLPolyDataMapper): one lone headlight has a path of its own.
+Vec3f asVtk(const Style& style, const std::vector<ViewLight>& lights, const Surface& s)
+{
+  if (isLoneHeadlight(lights)) {
     const float df = positive(s.normal.z);
     const Vec3f light = lights[0].color;
     return (s.ambient + s.diffuse * scaled(light, df)) +
@@ -80,7 +85,7 @@ Vec3f asVtk(const std::vector<ViewLight>& lights, const Surface& s)
   const Vec3f v = normalized(-s.position);
   Vec3f diffuse = {0, 0, 0}, specular = {0, 0, 0};
   for (const ViewLight& light : lights) {
-    const Arrival at = arrive(light, s.position);
+    const Arrival at = arrive(light, s.position, style.fallOff);
     const float nl = dot(s.normal, at.toward);
     if (!(nl > 0.0f)) continue;
     diffuse = diffuse + scaled(light.color, at.fall * nl);
@@ -89,29 +94,132 @@ Vec3f asVtk(const std::vector<ViewLight>& lights, const Surface& s)
   return (s.ambient + diffuse * s.diffuse) + specular * s.specular;
 }
 
-/// (12.1), (12.3) and Phong's form of it.
-Vec3f chapter(const Scene& scene, Reflection reflection, const std::vector<ViewLight>& lights,
-              const Surface& s)
+constexpr float kInversePi = 0.318309886f;
+
+/// Schlick 1994: f0 head-on, f90 at grazing angles.
+Vec3f schlick(Vec3f f0, Vec3f f90, float cosine)
 {
-  const Vec3f v = towardEye(scene.camera, s.position);
+  const float a = positive(1.0f - cosine);
+  const float squared = a * a;
+  return f0 + (f90 - f0) * (squared * squared * a);
+}
+
+/// What a dielectric reflects head-on.
+Vec3f reflectedHeadOn(Vec3f refractiveIndex)
+{
+  const Vec3f mu = refractiveIndex, one = {1, 1, 1};
+  const Vec3f share = {(mu.x - one.x) / (mu.x + one.x), (mu.y - one.y) / (mu.y + one.y),
+                       (mu.z - one.z) / (mu.z + one.z)};
+  return share * share;
+}
+
+/// What Oren and Nayar's model has over Lambert's. Of the angles to the normal alpha is the larger
+/// and beta the smaller one: sin(alpha) tan(beta) = sin(theta_l) sin(theta_v) / cos(beta).
+float orenNayar(const Material& material, Vec3f l, Vec3f v, const Surface& s)
+{
+  const float squared = material.roughness * material.roughness;
+  const float a = 1.0f - 0.5f * (squared / (squared + 0.33f));
+  const float b = 0.45f * (squared / (squared + 0.09f));
+  const float nl = dot(s.normal, l), nv = dot(s.normal, v);
+  const float along = positive(dot(l, v) - nl * nv);
+  return a + b * (along / (nl > nv ? nl : nv));
+}
+
+/// Velvet.
+Surface withRim(const Material& material, Vec3f v, Surface s)
+{
+  if (material.rim == Vec3f{0, 0, 0}) return s;
+  const float grazing = power(positive(1.0f - positive(dot(s.normal, v))), material.rimPower);
+  s.ambient = s.ambient + scaled(material.rim, grazing);
+  s.diffuse = s.diffuse + scaled(material.rim, grazing);
+  return s;
+}
+
+/// (12.1), (12.3) and what is like them.
+Vec3f chapter(const Scene& scene, const Instance& instance, const std::vector<ViewLight>& lights,
+              const Surface& bare)
+{
+  const Style& style = instance.style;
+  const Reflection reflection = style.reflection;
+  const Vec3f v = towardEye(scene.camera, bare.position);
+  const Surface s = withRim(instance.material, v, bare);
+  const Vec3f f0 = reflectedHeadOn(instance.material.refractiveIndex);
   Vec3f diffuse = {0, 0, 0}, specular = {0, 0, 0};
   for (const ViewLight& light : lights) {
-    const Arrival at = arrive(light, s.position);
-    const float nl = dot(s.normal, at.toward);
+    const Arrival at = arrive(light, s.position, style.fallOff);
+    const Vec3f l = at.toward;
+    const float nl = dot(s.normal, l);
     if (!(nl > 0.0f)) continue;
-    diffuse = diffuse + scaled(light.color, at.fall * nl);
-    if (reflection == Reflection::kLambert) continue;
-    const float highlight = reflection == Reflection::kBlinnPhong ? blinnPhong(at.toward, v, s)
-                                                                  : reflectedRay(at.toward, v, s);
-    specular = specular + scaled(light.color, at.fall * highlight);
+    const float matt =
+        reflection == Reflection::kOrenNayar ? nl * orenNayar(instance.material, l, v, s) : nl;
+    diffuse = diffuse + scaled(light.color, at.fall * matt);
+    if (reflection == Reflection::kLambert || reflection == Reflection::kOrenNayar) continue;
+    float highlight =
+        reflection == Reflection::kPhong ? reflectedRay(l, v, s) : blinnPhong(l, v, s);
+    if (reflection == Reflection::kIrradiance) highlight = highlight * nl;
+    const Vec3f glossy = scaled(light.color, at.fall * highlight);
+    specular =
+        specular +
+        (style.fresnel ? glossy * schlick(f0, {1, 1, 1}, dot(l, normalized(l + v))) : glossy);
   }
-  return (s.ambient * scene.ambientLight + diffuse * s.diffuse) + specular * s.specular;
+  const Vec3f matt = reflection == Reflection::kIrradiance ? s.diffuse * kInversePi : s.diffuse;
+  return (s.ambient * scene.ambientLight + diffuse * matt) + specular * s.specular;
+}
+
+float atLeast(float low, float x)
+{
+  return x > low ? (x < 1.0f ? x : 1.0f) : low;
+}
+
+/// Trowbridge and Reitz 1975, Smith 1967, Schlick 1994, as put together by Walter et al. 2007 and,
+/// for VTK, by vtkOpenGLPolyDataMapper.
+Vec3f metallic(const Scene& scene, const Instance& instance, const std::vector<ViewLight>& lights,
+               const Surface& s)
+{
+  constexpr float kLeast = 1e-5f;
+  const Material& m = instance.material;
+  const bool asVtk = instance.style.reflection == Reflection::kMetallicRoughnessAsVtk;
+  const Vec3f v = asVtk ? normalized(-s.position) : towardEye(scene.camera, s.position);
+  const float nv = atLeast(kLeast, dot(s.normal, v));
+  const float alpha = m.roughness * m.roughness;
+  const float alpha2 = alpha * alpha;
+  const float shadow = asVtk ? alpha : alpha2;
+
+  const float dielectric = 1.0f - m.metallic;
+  const Vec3f f0 = reflectedHeadOn(m.refractiveIndex) * dielectric + s.diffuse * m.metallic;
+  const float grazing = positive(dot(f0, Vec3f{16.5f, 16.5f, 16.5f}));
+  const float bounded = grazing < 1.0f ? grazing : 1.0f;
+  const Vec3f f90 = Vec3f{bounded, bounded, bounded} * dielectric + m.edgeTint * m.metallic;
+
+  Vec3f sum = {0, 0, 0};
+  for (const ViewLight& light : lights) {
+    const Arrival at = arrive(light, s.position, instance.style.fallOff);
+    // VTK's lone headlight is where the eye is.
+    const Vec3f l = asVtk && isLoneHeadlight(lights) ? v : at.toward;
+    const float cosine = dot(s.normal, l);
+    if (!asVtk && !(cosine > 0.0f)) continue;
+    const float nl = atLeast(kLeast, cosine);
+    const Vec3f h = normalized(l + v);
+    const float nh = atLeast(kLeast, dot(s.normal, h)), hl = atLeast(kLeast, dot(h, l));
+    const float d = (nh * alpha2 - nh) * nh + 1.0f;
+    const float facets = d > 0.0f ? alpha2 * kInversePi / (d * d) : 0.0f;
+    const float toLight = nl * std::sqrt(shadow + nv * (nv - shadow * nv));
+    const float toEye = nv * std::sqrt(shadow + nl * (nl - shadow * nl));
+    const Vec3f f = schlick(f0, f90, hl);
+    const Vec3f glossy = f * (facets * (0.5f / (toLight + toEye)));
+    const Vec3f matt = (Vec3f{1, 1, 1} - f) * s.diffuse * (dielectric * kInversePi);
+    sum = sum + scaled(light.color, at.fall * nl) * (matt + glossy);
+  }
+  if (!asVtk) return s.ambient * scene.ambientLight + sum;
+  constexpr float kEncoding = 1.0f / 2.2f;
+  return {power(sum.x, kEncoding), power(sum.y, kEncoding), power(sum.z, kEncoding)};
 }
 
 Vec3f toned(const Scene& scene, const Style& style, const std::vector<ViewLight>& lights,
             const Surface& s)
 {
-  const Vec3f l = lights.empty() ? Vec3f{0, 0, 1} : arrive(lights[0], s.position).toward;
+  const Vec3f l =
+      lights.empty() ? Vec3f{0, 0, 1} : arrive(lights[0], s.position, style.fallOff).toward;
   const float nl = dot(l, s.normal);
   const float facing = (1.0f + nl) * 0.5f, averted = (1.0f - nl) * 0.5f;
   const Vec3f cool = style.toneCool + s.diffuse * style.coolSurface;
@@ -122,17 +230,21 @@ Vec3f toned(const Scene& scene, const Style& style, const std::vector<ViewLight>
   return tone + scaled(s.specular, nl > 0.0f ? blinnPhong(l, v, s) : 0.0f);
 }
 
-Vec3f lightSurface(const Scene& scene, const Style& style, const std::vector<ViewLight>& lights,
-                   const Surface& s)
+Vec3f lightSurface(const Scene& scene, const Instance& instance,
+                   const std::vector<ViewLight>& lights, const Surface& s)
 {
+  const Style& style = instance.style;
   if (style.tone != Tone::kNone) return toned(scene, style, lights, s);
   switch (style.reflection) {
     case Reflection::kNone:
       return s.ambient + s.diffuse;
     case Reflection::kAsVtk:
-      return asVtk(lights, s);
+      return asVtk(style, lights, s);
+    case Reflection::kMetallicRoughness:
+    case Reflection::kMetallicRoughnessAsVtk:
+      return metallic(scene, instance, lights, s);
     default:
-      return chapter(scene, style.reflection, lights, s);
+      return chapter(scene, instance, lights, s);
   }
 }
 
@@ -243,7 +355,7 @@ class Face {
   Vec3f light(Vec3f position, Vec3f normal, Vec3f color, const std::vector<ViewLight>& lights) const
   {
     const bool colored = hasVertexColors() || hasCellColors();
-    return lightSurface(scene_, instance_.style, lights,
+    return lightSurface(scene_, instance_, lights,
                         surface(position, normal, colored ? &color : nullptr));
   }
 

@@ -33,7 +33,7 @@ struct Arrival {
   V fall;
 };
 
-HWY_INLINE Arrival arrive(const ViewLight& light, Lanes3 position)
+HWY_INLINE Arrival arrive(const ViewLight& light, Lanes3 position, bool fallsOff)
 {
   if (!light.positional()) return {set(light.towardLight), set(1.0f)};
   const Lanes3 way = sub(set(light.position), position);
@@ -43,7 +43,7 @@ HWY_INLINE Arrival arrive(const ViewLight& light, Lanes3 position)
   const V denominator =
       hn::Add(hn::Add(set(light.attenuation.x), hn::Mul(set(light.attenuation.y), distance)),
               hn::Mul(set(light.attenuation.z), squared));
-  V fall = reciprocalIfPositive(denominator, denominator);
+  V fall = fallsOff ? reciprocalIfPositive(denominator, denominator) : set(1.0f);
   if (light.kind == LightKind::kSpot) {
     const V cosine = dot(toward, set(light.towardLight));
     fall = hn::IfThenElseZero(hn::Ge(cosine, set(light.coneCosine)),
@@ -63,6 +63,32 @@ HWY_INLINE V reflectedRay(Lanes3 l, Lanes3 v, const Surface& s)
   return powerOf(positive(dot(r, v)), s.power);
 }
 
+constexpr float kInversePi = 0.318309886f;
+
+/// Schlick 1994: f0 head-on, f90 at grazing angles.
+HWY_INLINE Lanes3 schlick(Lanes3 f0, Lanes3 f90, V cosine)
+{
+  const V a = positive(hn::Sub(set(1.0f), cosine));
+  const V squared = hn::Mul(a, a);
+  return add(f0, mul(sub(f90, f0), hn::Mul(hn::Mul(squared, squared), a)));
+}
+
+/// What a dielectric reflects head-on.
+inline Vec3f reflectedHeadOn(Vec3f refractiveIndex)
+{
+  const Vec3f mu = refractiveIndex, one = {1, 1, 1};
+  const Vec3f share = {(mu.x - one.x) / (mu.x + one.x), (mu.y - one.y) / (mu.y + one.y),
+                       (mu.z - one.z) / (mu.z + one.z)};
+  return share * share;
+}
+
+/// From `low` to 1.
+HWY_INLINE V atLeast(float low, V x)
+{
+  const V bounded = hn::IfThenElse(hn::Lt(x, set(1.0f)), x, set(1.0f));
+  return hn::IfThenElse(hn::Gt(x, set(low)), bounded, set(low));
+}
+
 /// All the context of a batch that does not change from lane to lane.
 class Lighting {
  public:
@@ -70,10 +96,11 @@ class Lighting {
       : camera_(context.scene->scene->camera),
         lights_(context.scene->lights),
         ambientLight_(context.scene->scene->ambientLight),
+        material_(context.placed->instance->material),
         style_(context.placed->instance->style),
         isLoneHeadlight_(style_.tone == Tone::kNone && style_.reflection == Reflection::kAsVtk &&
-                         lights_.size() == 1 && lights_[0].kind == LightKind::kHeadlight),
-        isMatt_(isLoneHeadlight_ && isMatt(context.placed->instance->material, lights_[0]))
+                         hasLoneHeadlight()),
+        isMatt_(isLoneHeadlight_ && isMatt(material_, lights_[0]))
   {
   }
 
@@ -93,6 +120,9 @@ class Lighting {
   {
     if (style_.tone != Tone::kNone) return toned(s);
     if (style_.reflection == Reflection::kNone) return add(s.ambient, s.diffuse);
+    if (style_.reflection == Reflection::kMetallicRoughness ||
+        style_.reflection == Reflection::kMetallicRoughnessAsVtk)
+      return metallic(s);
     if (style_.reflection != Reflection::kAsVtk) return chapter(s);
     return isLoneHeadlight_ ? loneHeadlight(s) : asVtk(s);
   }
@@ -105,6 +135,10 @@ class Lighting {
     const auto most = [](Vec3f v) { return std::max({v.x, v.y, v.z}); };
     return (material.specular == 0.0f || most(material.specularColor) == 0.0f) &&
            material.specularPower <= kMostPower && most(light.color) <= kMostColor;
+  }
+  bool hasLoneHeadlight() const
+  {
+    return lights_.size() == 1 && lights_[0].kind == LightKind::kHeadlight;
   }
   Lanes3 loneHeadlight(const Surface& s) const
   {
@@ -119,53 +153,163 @@ class Lighting {
   struct Reflected {
     Lanes3 diffuse, specular;
   };
-  template <class Highlight>
-  HWY_INLINE Reflected sum(const Surface& s, Highlight highlight) const
+  /// By matt(l, n.l) and glossy(l, n.l), which give a factor of the light and one by channel.
+  template <class Matt, class Glossy>
+  HWY_INLINE Reflected sum(const Surface& s, Matt matt, Glossy glossy) const
   {
     Reflected sums = {set(Vec3f{0, 0, 0}), set(Vec3f{0, 0, 0})};
     for (const ViewLight& light : lights_) {
-      const Arrival at = arrive(light, s.position);
+      const Arrival at = arrive(light, s.position, style_.fallOff);
       const V nl = dot(s.normal, at.toward);
       const M lit = isPositive(nl);
       const Lanes3 color = set(light.color);
-      sums.diffuse = choose(lit, add(sums.diffuse, mul(color, hn::Mul(at.fall, nl))), sums.diffuse);
+      sums.diffuse = choose(
+          lit, add(sums.diffuse, mul(color, hn::Mul(at.fall, matt(at.toward, nl)))), sums.diffuse);
       sums.specular =
-          choose(lit, add(sums.specular, mul(color, hn::Mul(at.fall, highlight(at.toward)))),
-                 sums.specular);
+          choose(lit, add(sums.specular, glossy(color, at.fall, at.toward, nl)), sums.specular);
     }
     return sums;
+  }
+  /// With Lambert's matt reflection.
+  template <class Highlight>
+  HWY_INLINE Reflected sum(const Surface& s, Highlight highlight) const
+  {
+    return sum(
+        s, [](Lanes3, V nl) HWY_ATTR { return nl; },
+        [&](Lanes3 color, V fall, Lanes3 l, V nl)
+            HWY_ATTR { return mul(color, hn::Mul(fall, highlight(l, nl))); });
+  }
+  /// The same, the highlight times Fresnel's term.
+  template <class Highlight>
+  HWY_INLINE Reflected sumWithFresnel(const Surface& s, Lanes3 v, Highlight highlight) const
+  {
+    const Lanes3 f0 = set(reflectedHeadOn(material_.refractiveIndex));
+    return sum(
+        s, [](Lanes3, V nl) HWY_ATTR { return nl; },
+        [&](Lanes3 color, V fall, Lanes3 l, V nl) HWY_ATTR {
+          return mul(mul(color, hn::Mul(fall, highlight(l, nl))),
+                     schlick(f0, set(Vec3f{1, 1, 1}), dot(l, normalized(add(l, v)))));
+        });
+  }
+  template <class Highlight>
+  HWY_INLINE Reflected sumGlossy(const Surface& s, Lanes3 v, Highlight highlight) const
+  {
+    return style_.fresnel ? sumWithFresnel(s, v, highlight) : sum(s, highlight);
   }
 
   Lanes3 asVtk(const Surface& s) const
   {
     const Lanes3 v = normalized(neg(s.position));
-    const Reflected sums = sum(s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); });
+    const Reflected sums = sum(s, [&](Lanes3 l, V) HWY_ATTR { return reflectedRay(l, v, s); });
     return add(add(s.ambient, mul(sums.diffuse, s.diffuse)), mul(sums.specular, s.specular));
   }
 
-  Reflected chapterSums(const Surface& s) const
+  /// What Oren and Nayar's model has over Lambert's; see ReferenceShading.cpp.
+  Reflected orenNayarSums(const Surface& s, Lanes3 v) const
   {
-    const Lanes3 v = towardEye(s.position);
+    const float squared = material_.roughness * material_.roughness;
+    const V a = set(1.0f - 0.5f * (squared / (squared + 0.33f)));
+    const V b = set(0.45f * (squared / (squared + 0.09f)));
+    const V nv = dot(s.normal, v);
+    const auto matt = [&](Lanes3 l, V nl) HWY_ATTR {
+      const V along = positive(hn::Sub(dot(l, v), hn::Mul(nl, nv)));
+      const V larger = hn::IfThenElse(hn::Gt(nl, nv), nl, nv);
+      return hn::Mul(nl, hn::Add(a, hn::Mul(b, hn::Div(along, larger))));
+    };
+    const auto none = [](Lanes3, V, Lanes3, V) HWY_ATTR { return set(Vec3f{0, 0, 0}); };
+    return sum(s, matt, none);
+  }
+  Reflected chapterSums(const Surface& s, Lanes3 v) const
+  {
     switch (style_.reflection) {
       case Reflection::kBlinnPhong:
-        return sum(s, [&](Lanes3 l) HWY_ATTR { return blinnPhong(l, v, s); });
+        return sumGlossy(s, v, [&](Lanes3 l, V) HWY_ATTR { return blinnPhong(l, v, s); });
       case Reflection::kPhong:
-        return sum(s, [&](Lanes3 l) HWY_ATTR { return reflectedRay(l, v, s); });
+        return sumGlossy(s, v, [&](Lanes3 l, V) HWY_ATTR { return reflectedRay(l, v, s); });
+      case Reflection::kIrradiance:
+        return sumGlossy(s, v,
+                         [&](Lanes3 l, V nl) HWY_ATTR { return hn::Mul(blinnPhong(l, v, s), nl); });
+      case Reflection::kOrenNayar:
+        return orenNayarSums(s, v);
       default:
         // Not the sum's own zeros: an infinite light times 0 is not a number.
-        return {sum(s, [&](Lanes3) HWY_ATTR { return set(0.0f); }).diffuse, set(Vec3f{0, 0, 0})};
+        return {sum(s, [&](Lanes3, V) HWY_ATTR { return set(0.0f); }).diffuse, set(Vec3f{0, 0, 0})};
     }
   }
-  Lanes3 chapter(const Surface& s) const
+  /// Velvet.
+  Surface withRim(Surface s, Lanes3 v) const
   {
-    const Reflected sums = chapterSums(s);
-    return add(add(mul(s.ambient, set(ambientLight_)), mul(sums.diffuse, s.diffuse)),
+    if (material_.rim == Vec3f{0, 0, 0}) return s;
+    const V grazing =
+        powerOf(positive(hn::Sub(set(1.0f), positive(dot(s.normal, v)))), material_.rimPower);
+    s.ambient = add(s.ambient, mul(set(material_.rim), grazing));
+    s.diffuse = add(s.diffuse, mul(set(material_.rim), grazing));
+    return s;
+  }
+  Lanes3 chapter(const Surface& bare) const
+  {
+    const Lanes3 v = towardEye(bare.position);
+    const Surface s = withRim(bare, v);
+    const Reflected sums = chapterSums(s, v);
+    const Lanes3 matt =
+        style_.reflection == Reflection::kIrradiance ? mul(s.diffuse, set(kInversePi)) : s.diffuse;
+    return add(add(mul(s.ambient, set(ambientLight_)), mul(sums.diffuse, matt)),
                mul(sums.specular, s.specular));
+  }
+
+  Lanes3 metallic(const Surface& s) const
+  {
+    constexpr float kLeast = 1e-5f;
+    const Material& m = material_;
+    const bool asVtk = style_.reflection == Reflection::kMetallicRoughnessAsVtk;
+    const bool isAtEye = asVtk && hasLoneHeadlight();
+    const Lanes3 v = asVtk ? normalized(neg(s.position)) : towardEye(s.position);
+    const V nv = atLeast(kLeast, dot(s.normal, v));
+    const float alpha = m.roughness * m.roughness;
+    const float alpha2 = alpha * alpha;
+    const V shadow = set(asVtk ? alpha : alpha2);
+
+    const float dielectric = 1.0f - m.metallic;
+    const Lanes3 f0 =
+        add(set(reflectedHeadOn(m.refractiveIndex) * dielectric), mul(s.diffuse, set(m.metallic)));
+    const V grazing = positive(dot(f0, set(Vec3f{16.5f, 16.5f, 16.5f})));
+    const V bounded =
+        hn::Mul(hn::IfThenElse(hn::Lt(grazing, set(1.0f)), grazing, set(1.0f)), set(dielectric));
+    const Lanes3 f90 = add({bounded, bounded, bounded}, set(m.edgeTint * m.metallic));
+
+    Lanes3 result = set(Vec3f{0, 0, 0});
+    for (const ViewLight& light : lights_) {
+      const Arrival at = arrive(light, s.position, style_.fallOff);
+      const Lanes3 l = isAtEye ? v : at.toward;
+      const V cosine = dot(s.normal, l);
+      const V nl = atLeast(kLeast, cosine);
+      const Lanes3 h = normalized(add(l, v));
+      const V nh = atLeast(kLeast, dot(s.normal, h)), hl = atLeast(kLeast, dot(h, l));
+      const V d = hn::Add(hn::Mul(hn::Sub(hn::Mul(nh, set(alpha2)), nh), nh), set(1.0f));
+      const V facets =
+          hn::IfThenElseZero(isPositive(d), hn::Div(set(alpha2 * kInversePi), hn::Mul(d, d)));
+      const auto shadowing = [&](V a, V b) HWY_ATTR {
+        return hn::Mul(a, hn::Sqrt(hn::Add(shadow, hn::Mul(b, hn::Sub(b, hn::Mul(shadow, b))))));
+      };
+      const V both = hn::Add(shadowing(nl, nv), shadowing(nv, nl));
+      const Lanes3 f = schlick(f0, f90, hl);
+      const Lanes3 glossy = mul(f, hn::Mul(facets, hn::Div(set(0.5f), both)));
+      const Lanes3 matt =
+          mul(mul(sub(set(Vec3f{1, 1, 1}), f), s.diffuse), set(dielectric * kInversePi));
+      const Lanes3 more =
+          add(result, mul(mul(set(light.color), hn::Mul(at.fall, nl)), add(matt, glossy)));
+      result = asVtk ? more : choose(isPositive(cosine), more, result);
+    }
+    if (!asVtk) return add(mul(s.ambient, set(ambientLight_)), result);
+    constexpr float kEncoding = 1.0f / 2.2f;
+    return {powerOf(result.x, kEncoding), powerOf(result.y, kEncoding),
+            powerOf(result.z, kEncoding)};
   }
 
   Lanes3 toned(const Surface& s) const
   {
-    const Lanes3 l = lights_.empty() ? set(Vec3f{0, 0, 1}) : arrive(lights_[0], s.position).toward;
+    const Lanes3 l = lights_.empty() ? set(Vec3f{0, 0, 1})
+                                     : arrive(lights_[0], s.position, style_.fallOff).toward;
     const V nl = dot(l, s.normal);
     const V facing = hn::Mul(hn::Add(set(1.0f), nl), set(0.5f));
     const V averted = hn::Mul(hn::Sub(set(1.0f), nl), set(0.5f));
@@ -181,6 +325,7 @@ class Lighting {
   const Camera& camera_;
   const std::vector<ViewLight>& lights_;
   Vec3f ambientLight_;
+  const Material& material_;
   const Style& style_;
   bool isLoneHeadlight_, isMatt_;
 };

@@ -203,6 +203,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   // VTK's default, which has a path of its own.
   if (random.chance(4)) lights_ = {Light{}};
   placeCamera(random);
+  if (detail == Detail::kReflections) addReflections();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -318,6 +319,30 @@ Style RandomScene::randomStyle(Random& random, const OwnedMesh&)
   if (random.chance(4)) style.outlineThreshold = static_cast<float>(random.between(0, 0.4));
   style.outlineColor = random.color();
   return style;
+}
+
+void RandomScene::addReflections()
+{
+  Random random(seed_ ^ 0xB5297A4Du);
+  for (Instance& instance : instances_) {
+    Style& style = instance.style;
+    Material& material = instance.material;
+    if (!random.chance(6)) style.tone = Tone::kNone;
+    style.reflection = static_cast<Reflection>(
+        random.below(static_cast<std::uint32_t>(Reflection::kMetallicRoughnessAsVtk) + 1));
+    style.fresnel = random.chance(3);
+    style.fallOff = !random.chance(4);
+    if (random.chance(3)) material.specularPower = static_cast<float>(1 << random.below(12));
+    const auto share = [&] {
+      return static_cast<float>(random.chance(5) ? random.below(2) : random.between(0, 1));
+    };
+    material.roughness = share();
+    material.metallic = share();
+    material.refractiveIndex = random.color() * 2.0f + Vec3f{1, 1, 1};
+    material.edgeTint = random.color();
+    if (random.chance(3)) material.rim = random.color();
+    material.rimPower = static_cast<float>(random.between(0, 6));
+  }
 }
 
 Light RandomScene::randomLight(Random& random)

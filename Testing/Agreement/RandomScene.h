@@ -75,8 +75,9 @@ class RandomScene {
   enum class Detail {
     kAny,   ///< up to some hundred triangles of every kind
     kFine,  ///< closed, bumpy surfaces of ten thousands, which hide each other and their own backs
-    kCoarse,  ///< some triangles that fill the picture, half of them matt, half with outlines
-    kPost,    ///< kAny with bright lights and post effects
+    kCoarse,       ///< some triangles that fill the picture, half of them matt, half with outlines
+    kPost,         ///< kAny with bright lights and post effects
+    kReflections,  ///< as kAny, with every reflection model and its values
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -91,6 +92,8 @@ class RandomScene {
   void addMesh(Random& random, Detail detail);
   void addAttributes(Random& random, OwnedMesh& mesh);
   Instance instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id, Detail detail);
+  /// Of a stream of its own: the other scenes stay as they are.
+  void addReflections();
   Style randomStyle(Random& random, const OwnedMesh& mesh);
   Light randomLight(Random& random);
   void placeCamera(Random& random);

@@ -507,6 +507,65 @@ TEST(LimnInGLWindow, IsUnlitWithoutLights)
   }
 }
 
+namespace
+{
+struct Metal
+{
+  double Metallic;
+  double Roughness;
+  double Index;
+};
+
+void AddLamps(vtkRenderer* renderer)
+{
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(2.0, 3.0, 2.0);
+  sun->SetColor(1.0, 0.8, 0.7);
+  renderer->AddLight(sun);
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToSceneLight();
+  lamp->PositionalOn();
+  lamp->SetPosition(-1.0, 0.5, 1.5);
+  lamp->SetAttenuationValues(0.5, 0.0, 1.0);
+  lamp->SetConeAngle(40.0);
+  lamp->SetExponent(2.0);
+  renderer->AddLight(lamp);
+}
+}
+
+TEST(LimnInGLWindow, PhysicallyBasedMaterialsLookAsInOpenGL)
+{
+  for (const bool hasLamps : { false, true })
+  {
+    for (const Metal& metal : { Metal{ 0.0, 0.4, 1.5 }, Metal{ 1.0, 0.3, 1.5 },
+           Metal{ 0.5, 0.6, 2.0 }, Metal{ 0.2, 0.0, 1.5 } })
+    {
+      Picture pictures[2];
+      for (int mixed : { 0, 1 })
+      {
+        GLScene scene(0);
+        vtkSmartPointer<vtkActor> sphere = MakeSphere(mixed ? MakeLimnActor : MakeGLActor);
+        vtkProperty* property = sphere->GetProperty();
+        property->SetInterpolationToPBR();
+        property->SetMetallic(metal.Metallic);
+        property->SetRoughness(metal.Roughness);
+        property->SetBaseIOR(metal.Index);
+        property->SetEdgeTint(0.5, 0.8, 1.0);
+        property->SetAmbient(0.3);
+        scene.Renderer->AddActor(sphere);
+        if (hasLamps)
+        {
+          AddLamps(scene.Renderer);
+        }
+        pictures[mixed] = scene.Render();
+      }
+      EXPECT_EQ(CountDifferent(pictures[0], pictures[1], 1), 0)
+        << metal.Metallic << ' ' << metal.Roughness << ' ' << hasLamps;
+    }
+  }
+}
+
 TEST(LimnInGLWindow, AnswersHardwareSelectors)
 {
   GLScene scene(0);
