@@ -76,6 +76,57 @@ void checkIllustration(const MaterialSettings& material)
   }
 }
 
+[[noreturn]] void refuseWithout(const std::string& option, const std::string& needed)
+{
+  throw UserError(option + " needs " + needed);
+}
+
+/// What a picture would not show.
+void checkReflection(const MaterialSettings& material)
+{
+  const Reflection reflection = material.reflection;
+  const bool isMetallic = reflection == Reflection::Metallic;
+  const bool isGlossy = reflection == Reflection::BlinnPhong || reflection == Reflection::Phong ||
+                        reflection == Reflection::Irradiance;
+  if (material.localModel && reflection != Reflection::BlinnPhong)
+  {
+    throw UserError("--model and --reflection exclude each other; give one");
+  }
+  if (material.roughness && !isMetallic && reflection != Reflection::OrenNayar)
+  {
+    refuseWithout("--roughness", "--reflection=oren-nayar or --reflection=metallic");
+  }
+  if (material.metallic && !isMetallic)
+  {
+    refuseWithout("--metallic", "--reflection=metallic");
+  }
+  if (material.fresnel && !isGlossy)
+  {
+    refuseWithout("--fresnel", "--reflection=blinn-phong, phong or irradiance");
+  }
+  if (material.refractiveIndex && !isMetallic && !material.fresnel)
+  {
+    refuseWithout("--refractive-index", "--fresnel or --reflection=metallic");
+  }
+  if (isMetallic && material.refractiveIndex &&
+      *material.refractiveIndex != Color{ (*material.refractiveIndex)[0],
+                                     (*material.refractiveIndex)[0],
+                                     (*material.refractiveIndex)[0] })
+  {
+    throw UserError(
+      "--refractive-index of --reflection=metallic is one number; a metal's colour is "
+      "its --color");
+  }
+  if (material.rim && (isMetallic || reflection == Reflection::None))
+  {
+    refuseWithout("--rim", "another --reflection than none or metallic");
+  }
+  if (material.rimPower && !material.rim)
+  {
+    refuseWithout("--rim-power", "--rim=r,g,b");
+  }
+}
+
 void checkCamera(const CameraSettings& camera)
 {
   if (camera.parallelScale && !camera.orthographic)
@@ -142,6 +193,7 @@ Request parseRender(const Arguments& arguments)
   checkScene(scene, "render");
   checkIllustration(scene.material);
   checkEffects(settings);
+  checkReflection(scene.material);
   checkOutput(settings.output);
   if (background && settings.transparentBackground)
   {

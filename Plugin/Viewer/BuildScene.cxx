@@ -45,6 +45,12 @@ int reflectionModelOf(Reflection reflection)
       return vtkLimnProperty::REFLECTION_LAMBERT;
     case Reflection::Phong:
       return vtkLimnProperty::REFLECTION_PHONG;
+    case Reflection::Irradiance:
+      return vtkLimnProperty::REFLECTION_IRRADIANCE;
+    case Reflection::OrenNayar:
+      return vtkLimnProperty::REFLECTION_OREN_NAYAR;
+    case Reflection::Metallic:
+      return vtkLimnProperty::REFLECTION_METALLIC_ROUGHNESS;
     case Reflection::BlinnPhong:
       break;
   }
@@ -64,6 +70,24 @@ void setReflectance(const MaterialSettings& material, vtkLimnProperty& property)
   property.SetSpecularColor(material.specular.data());
   property.SetSpecular(1);
   property.SetSpecularPower(material.specularPower);
+}
+
+void setReflection(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  const Color index = material.refractiveIndex.value_or(
+    Color{ kDefaultRefractiveIndex, kDefaultRefractiveIndex, kDefaultRefractiveIndex });
+  property.SetReflectionModel(reflectionModelOf(material.reflection));
+  property.SetRoughness(material.roughness.value_or(kDefaultRoughness));
+  property.SetMetallic(material.metallic.value_or(0));
+  property.SetBaseIOR(index[0]);
+  property.SetRefractiveIndex(index.data());
+  property.SetFresnel(material.fresnel);
+  property.SetRimColor(material.rim.value_or(Color{ 0, 0, 0 }).data());
+  property.SetRimPower(material.rimPower.value_or(kDefaultRimPower));
+  if (material.localModel)
+  {
+    property.ApplyLocalModel(*material.localModel);
+  }
 }
 
 int toneOf(Tone tone)
@@ -183,7 +207,7 @@ void applyMaterial(const MaterialSettings& material, vtkLimnProperty& property)
   setReflectance(material, property);
   setIllustration(material, property);
   property.SetShadingFrequency(shadingFrequencyOf(material.shading));
-  property.SetReflectionModel(reflectionModelOf(material.reflection));
+  setReflection(material, property);
   property.SetBackfaceCulling(material.backfaceCulling);
 }
 

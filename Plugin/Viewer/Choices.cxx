@@ -16,7 +16,8 @@ const Choices<Reflection>& reflections()
 {
   static const Choices<Reflection> choices = { { "none", Reflection::None },
     { "lambert", Reflection::Lambert }, { "phong", Reflection::Phong },
-    { "blinn-phong", Reflection::BlinnPhong } };
+    { "blinn-phong", Reflection::BlinnPhong }, { "irradiance", Reflection::Irradiance },
+    { "oren-nayar", Reflection::OrenNayar }, { "metallic", Reflection::Metallic } };
   return choices;
 }
 

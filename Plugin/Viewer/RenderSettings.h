@@ -27,7 +27,10 @@ enum class Reflection
   None,
   Lambert,
   BlinnPhong,
-  Phong
+  Phong,
+  Irradiance,
+  OrenNayar,
+  Metallic
 };
 
 enum class Tone
@@ -96,7 +99,14 @@ struct MaterialSettings
   std::optional<Color> ambient, diffuse; ///< k_a: k_d if not given; k_d: color if not given
   Color specular = { 0.2, 0.2, 0.2 };    ///< k_s
   double specularPower = 32;             ///< 0 to 128
-  std::optional<Color> cool, warm;       ///< k_cool and k_warm themselves
+  std::optional<double> roughness;       ///< 0 to 1; kDefaultRoughness if not given
+  std::optional<double> metallic;        ///< 0 to 1; 0 if not given
+  std::optional<Color> refractiveIndex;  ///< by channel; kDefaultRefractiveIndex if not given
+  bool fresnel = false;
+  std::optional<Color> rim;        ///< none if not given
+  std::optional<double> rimPower;  ///< kDefaultRimPower if not given
+  std::optional<int> localModel;   ///< 1 to 5
+  std::optional<Color> cool, warm; ///< k_cool and k_warm themselves
   Shading shading = Shading::Phong;
   Reflection reflection = Reflection::BlinnPhong;
   Tone tone = Tone::None;
@@ -165,6 +175,9 @@ struct CompareSettings
 };
 
 inline constexpr const char* kDefaultColormap = "viridis";
+inline constexpr double kDefaultRoughness = 0.5;
+inline constexpr double kDefaultRefractiveIndex = 1.5;
+inline constexpr double kDefaultRimPower = 3;
 inline constexpr Color kDefaultColor = { 0.66, 0.73, 0.82 };
 
 } // namespace limn::viewer

@@ -6,6 +6,8 @@
 #include "ParseValue.h"
 #include "UserError.h"
 
+#include <algorithm>
+
 namespace limn::viewer
 {
 namespace
@@ -61,6 +63,28 @@ double parseSpecularPower(Text option, Text text)
   return power;
 }
 
+double parseShare(Text option, Text text)
+{
+  const double share = parseNumber(option, text);
+  if (share < 0 || share > 1)
+  {
+    throw UserError(option + "=" + text + " is not from 0 to 1");
+  }
+  return share;
+}
+
+Color parseRefractiveIndex(Text option, Text text)
+{
+  const bool isOne = text.find(',') == std::string::npos;
+  const double one = isOne ? parseNumber(option, text) : 1;
+  const Color index = isOne ? Color{ one, one, one } : parseIntensity(option, text);
+  if (*std::min_element(index.begin(), index.end()) < 1)
+  {
+    throw UserError(option + "=" + text + " is not at least 1, the index of air");
+  }
+  return index;
+}
+
 void requireOpaque(Text option, Text text)
 {
   if (parseNumber(option, text) != 1)
@@ -95,13 +119,33 @@ void addMaterial(OptionList& options, MaterialSettings& material)
   options.add("--opacity", "a", "1; translucency is not yet served", requireOpaque);
   options.add("--shading", "name", "where light is evaluated: flat, gouraud, phong (phong)",
     choose(material.shading, shadings()));
-  options.add("--reflection", "name", "none, lambert, phong, blinn-phong (blinn-phong)",
-    choose(material.reflection, reflections(), { "irradiance" }));
+  options.add("--reflection", "name",
+    "none, lambert, phong, blinn-phong, irradiance (the\n"
+    "highlight has the cosine too, k_d is over pi),\n"
+    "oren-nayar (rough and matt), metallic (facets)\n(blinn-phong)",
+    choose(material.reflection, reflections()));
   options.add("--ambient", "r,g,b", "k_a (k_d)", into(material.ambient, parseIntensity));
   options.add("--diffuse", "r,g,b", "k_d (the colour)", into(material.diffuse, parseIntensity));
   options.add("--specular", "r,g,b", "k_s (0.2,0.2,0.2)", into(material.specular, parseIntensity));
   options.add("--specular-power", "p", "the exponent of the highlight, 0 to 128 (32)",
     into(material.specularPower, parseSpecularPower));
+  options.add("--roughness", "r", "of oren-nayar and metallic, 0 to 1 (0.5)",
+    into(material.roughness, parseShare));
+  options.add("--metallic", "m", "of metallic: 0 plastic to 1 metal (0)",
+    into(material.metallic, parseShare));
+  options.addSwitch("--fresnel", "highlights grow towards grazing angles", material.fresnel);
+  options.add("--refractive-index", "mu", "one, or r,g,b, for fresnel and metallic (1.5)",
+    into(material.refractiveIndex, parseRefractiveIndex));
+  options.add(
+    "--rim", "r,g,b", "velvet: a shine towards the outline", into(material.rim, parseIntensity));
+  options.add("--rim-power", "q", "how narrow it is, 0 to 128 (3)",
+    into(material.rimPower, parseSpecularPower));
+  options.add("--model", "n",
+    "five local models in order: 1 ambient light,\n2 with matt reflection, 3 with fall-off, 4 "
+    "with\n"
+    "highlights by the reflected ray, 5 in colour",
+    [&material](Text option, Text text)
+    { material.localModel = parseInteger(option, text, 1, 5); });
   options.addSwitch(
     "--backface-culling", "leave out faces seen from behind", material.backfaceCulling);
 }

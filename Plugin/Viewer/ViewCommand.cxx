@@ -27,7 +27,7 @@ namespace
 
 const char* const kKeys = R"(Keys
   s  shading: flat, gouraud, phong
-  l  reflection of light: none, lambert, phong, blinn-phong
+  l  reflection of light: none, lambert, phong, blinn-phong, ...
   t  tone: none, gooch, gooch-chapter
   o  outline: none, normal
   m  samples per pixel: 1, 2, 4, 8

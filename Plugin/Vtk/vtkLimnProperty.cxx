@@ -6,6 +6,12 @@
 
 namespace
 {
+/// ITU-R BT.709
+double Luminance(const double color[3])
+{
+  return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
+}
+
 void PrintVector(ostream& os, const char* name, const double vector[3])
 {
   os << name << ": (" << vector[0] << ", " << vector[1] << ", " << vector[2] << ")\n";
@@ -24,8 +30,34 @@ const char* vtkLimnProperty::GetShadingFrequencyAsString()
 //------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetReflectionModelAsString()
 {
-  static const char* const names[] = { "AsVTK", "None", "Lambert", "BlinnPhong", "Phong" };
+  static const char* const names[] = { "AsVTK", "None", "Lambert", "BlinnPhong", "Phong",
+    "Irradiance", "OrenNayar", "MetallicRoughness" };
   return names[this->ReflectionModel];
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::ApplyLocalModel(int version)
+{
+  if (version < 1 || version > 5)
+  {
+    vtkErrorMacro("There is no local model " << version << "; choose one of 1 to 5.");
+    return;
+  }
+  if (version < 5)
+  {
+    const double ambient = Luminance(this->GetAmbientColor());
+    const double diffuse = Luminance(this->GetDiffuseColor());
+    this->SetAmbientColor(ambient, ambient, ambient);
+    this->SetDiffuseColor(diffuse, diffuse, diffuse);
+  }
+  const double specular = Luminance(this->GetSpecularColor());
+  this->SetSpecularColor(specular, specular, specular);
+  this->SetReflectionModel(version < 4 ? REFLECTION_LAMBERT : REFLECTION_PHONG);
+  this->SetFallOff(version > 2);
+  if (version == 1)
+  {
+    this->SetDiffuse(0);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -53,6 +85,11 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   }
   this->SetShadingFrequency(other->ShadingFrequency);
   this->SetReflectionModel(other->ReflectionModel);
+  this->SetFresnel(other->Fresnel);
+  this->SetRefractiveIndex(other->RefractiveIndex);
+  this->SetRimColor(other->RimColor);
+  this->SetRimPower(other->RimPower);
+  this->SetFallOff(other->FallOff);
   this->SetTone(other->Tone);
   this->SetCoolColor(other->CoolColor);
   this->SetWarmColor(other->WarmColor);
@@ -69,6 +106,13 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ShadingFrequency: " << this->GetShadingFrequencyAsString() << "\n";
   os << indent << "ReflectionModel: " << this->GetReflectionModelAsString() << "\n";
+  os << indent << "Fresnel: " << (this->Fresnel ? "On" : "Off") << "\n";
+  os << indent;
+  PrintVector(os, "RefractiveIndex", this->RefractiveIndex);
+  os << indent;
+  PrintVector(os, "RimColor", this->RimColor);
+  os << indent << "RimPower: " << this->RimPower << "\n";
+  os << indent << "FallOff: " << (this->FallOff ? "On" : "Off") << "\n";
   os << indent << "Tone: " << this->GetToneAsString() << "\n";
   os << indent;
   PrintVector(os, "CoolColor", this->CoolColor);

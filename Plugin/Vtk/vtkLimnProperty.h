@@ -58,24 +58,78 @@ public:
     REFLECTION_NONE,
     REFLECTION_LAMBERT,
     REFLECTION_BLINN_PHONG,
-    REFLECTION_PHONG
+    REFLECTION_PHONG,
+    REFLECTION_IRRADIANCE,
+    REFLECTION_OREN_NAYAR,
+    REFLECTION_METALLIC_ROUGHNESS
   };
 
   ///@{
   /**
    * What a surface does with light. None: ambient plus diffuse colour, unlit. Lambert:
    * k_a I_a + k_d I max(0, n.l). Blinn-Phong adds k_s I max(0, n.h)^p, Phong k_s I max(0, r.v)^p.
-   * I_a is vtkRenderer's Ambient. The default, as VTK, is what VTK's shaders compute.
+   * Irradiance: (k_d / pi + k_s max(0, n.h)^p) E, E = I max(0, n.l). Oren-Nayar: Lambert's for
+   * rough surfaces, by Roughness. Metallic-roughness: facets after Trowbridge and Reitz (GGX), by
+   * Roughness, Metallic, BaseIOR and EdgeTint, with I in place of E / max(0, n.l). I_a is
+   * vtkRenderer's Ambient. The default, as VTK, is what VTK's shaders compute, with the
+   * interpolation VTK_PBR too.
    */
-  vtkSetClampMacro(ReflectionModel, int, REFLECTION_AS_VTK, REFLECTION_PHONG);
+  vtkSetClampMacro(ReflectionModel, int, REFLECTION_AS_VTK, REFLECTION_METALLIC_ROUGHNESS);
   vtkGetMacro(ReflectionModel, int);
   void SetReflectionModelToAsVTK() { this->SetReflectionModel(REFLECTION_AS_VTK); }
   void SetReflectionModelToNone() { this->SetReflectionModel(REFLECTION_NONE); }
   void SetReflectionModelToLambert() { this->SetReflectionModel(REFLECTION_LAMBERT); }
   void SetReflectionModelToBlinnPhong() { this->SetReflectionModel(REFLECTION_BLINN_PHONG); }
   void SetReflectionModelToPhong() { this->SetReflectionModel(REFLECTION_PHONG); }
+  void SetReflectionModelToIrradiance() { this->SetReflectionModel(REFLECTION_IRRADIANCE); }
+  void SetReflectionModelToOrenNayar() { this->SetReflectionModel(REFLECTION_OREN_NAYAR); }
+  void SetReflectionModelToMetallicRoughness()
+  {
+    this->SetReflectionModel(REFLECTION_METALLIC_ROUGHNESS);
+  }
   const char* GetReflectionModelAsString();
   ///@}
+
+  ///@{
+  /**
+   * Multiply k_s by Fresnel's term in Schlick's form, F_0 + (1 - F_0) (1 - h.l)^5 with
+   * F_0 = ((mu - 1) / (mu + 1))^2, for Blinn-Phong, Phong and irradiance. mu is RefractiveIndex, by
+   * channel, at least 1. Defaults: off and (1.5, 1.5, 1.5).
+   */
+  vtkSetMacro(Fresnel, bool);
+  vtkGetMacro(Fresnel, bool);
+  vtkBooleanMacro(Fresnel, bool);
+  vtkSetVector3Macro(RefractiveIndex, double);
+  vtkGetVector3Macro(RefractiveIndex, double);
+  ///@}
+
+  ///@{
+  /**
+   * Velvet: k_a and k_d grow by RimColor (1 - max(0, n.v))^RimPower, for Lambert, Blinn-Phong,
+   * Phong, irradiance and Oren-Nayar. Defaults: black, which is no rim, and 3.
+   */
+  vtkSetVector3Macro(RimColor, double);
+  vtkGetVector3Macro(RimColor, double);
+  vtkSetMacro(RimPower, double);
+  vtkGetMacro(RimPower, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether lights reach this surface weaker from afar, by their attenuation. Default: on.
+   */
+  vtkSetMacro(FallOff, bool);
+  vtkGetMacro(FallOff, bool);
+  vtkBooleanMacro(FallOff, bool);
+  ///@}
+
+  /**
+   * Sets the reflection as in one of five local models, each of which adds to the one before: 1
+   * ambient light alone, 2 matt reflection, 3 the lights' fall-off, 4 highlights by the reflected
+   * ray, 5 colours. In 1 to 4 ambient and diffuse colour become grey, of the same luminance; the
+   * colour of highlights does in all.
+   */
+  void ApplyLocalModel(int version);
 
   enum Tones
   {
@@ -157,6 +211,11 @@ protected:
 
   int ShadingFrequency = FREQUENCY_AS_VTK;
   int ReflectionModel = REFLECTION_AS_VTK;
+  bool Fresnel = false;
+  double RefractiveIndex[3] = { 1.5, 1.5, 1.5 };
+  double RimColor[3] = { 0.0, 0.0, 0.0 };
+  double RimPower = 3.0;
+  bool FallOff = true;
   int Tone = TONE_NONE;
   double CoolColor[3] = { 0.0, 0.0, 0.4 };
   double WarmColor[3] = { 0.4, 0.4, 0.0 };

@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/Power.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace limn::reference {
@@ -71,6 +72,12 @@ float reflectedRay(Vec3f l, Vec3f v, const Surface& s)
 bool isLoneHeadlight(const std::vector<ViewLight>& lights)
 {
   return lights.size() == 1 && lights[0].kind == LightKind::kHeadlight;
+}
+
+bool hasPositional(const std::vector<ViewLight>& lights)
+{
+  return std::any_of(lights.begin(), lights.end(),
+                     [](const ViewLight& light) { return light.positional(); });
 }
 
 /// VTK's own shaders (vtkOpenGLPolyDataMapper): one lone headlight has a path of its own.
@@ -194,8 +201,11 @@ Vec3f metallic(const Scene& scene, const Instance& instance, const std::vector<V
   Vec3f sum = {0, 0, 0};
   for (const ViewLight& light : lights) {
     const Arrival at = arrive(light, s.position, instance.style.fallOff);
-    // VTK's lone headlight is where the eye is.
-    const Vec3f l = asVtk && isLoneHeadlight(lights) ? v : at.toward;
+    // VTK's lone headlight is where the eye is, and beside a positional light all its lights have
+    // places.
+    const Vec3f l = asVtk && isLoneHeadlight(lights) ? v
+                    : asVtk && hasPositional(lights) ? normalized(light.position - s.position)
+                                                     : at.toward;
     const float cosine = dot(s.normal, l);
     if (!asVtk && !(cosine > 0.0f)) continue;
     const float nl = atLeast(kLeast, cosine);

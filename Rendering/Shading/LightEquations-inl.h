@@ -263,6 +263,9 @@ class Lighting {
     const Material& m = material_;
     const bool asVtk = style_.reflection == Reflection::kMetallicRoughnessAsVtk;
     const bool isAtEye = asVtk && hasLoneHeadlight();
+    const bool havePlaces =
+        asVtk && std::any_of(lights_.begin(), lights_.end(),
+                             [](const ViewLight& one) { return one.positional(); });
     const Lanes3 v = asVtk ? normalized(neg(s.position)) : towardEye(s.position);
     const V nv = atLeast(kLeast, dot(s.normal, v));
     const float alpha = m.roughness * m.roughness;
@@ -280,7 +283,9 @@ class Lighting {
     Lanes3 result = set(Vec3f{0, 0, 0});
     for (const ViewLight& light : lights_) {
       const Arrival at = arrive(light, s.position, style_.fallOff);
-      const Lanes3 l = isAtEye ? v : at.toward;
+      const Lanes3 l = isAtEye      ? v
+                       : havePlaces ? normalized(sub(set(light.position), s.position))
+                                    : at.toward;
       const V cosine = dot(s.normal, l);
       const V nl = atLeast(kLeast, cosine);
       const Lanes3 h = normalized(add(l, v));

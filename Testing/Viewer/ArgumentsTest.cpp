@@ -106,6 +106,59 @@ TEST(Arguments, MaterialIsRead)
   EXPECT_TRUE(material.backfaceCulling);
 }
 
+TEST(Arguments, ReflectionIsRead)
+{
+  const MaterialSettings metal = parseRender(
+    { "--reflection=metallic", "--roughness=0.25", "--metallic=1", "--refractive-index=2.4" })
+                                   .scene.material;
+  EXPECT_EQ(metal.reflection, Reflection::Metallic);
+  EXPECT_EQ(metal.roughness, 0.25);
+  EXPECT_EQ(metal.metallic, 1);
+  EXPECT_EQ(metal.refractiveIndex, (Color{ 2.4, 2.4, 2.4 }));
+  const MaterialSettings velvet =
+    parseRender({ "--reflection=irradiance", "--fresnel", "--refractive-index=1.5,1.6,1.7",
+                  "--rim=0.5,0,0", "--rim-power=2" })
+      .scene.material;
+  EXPECT_TRUE(velvet.fresnel);
+  EXPECT_EQ(velvet.refractiveIndex, (Color{ 1.5, 1.6, 1.7 }));
+  EXPECT_EQ(velvet.rim, (Color{ 0.5, 0, 0 }));
+  EXPECT_EQ(velvet.rimPower, 2);
+  EXPECT_EQ(parseRender({ "--model=4" }).scene.material.localModel, 4);
+}
+
+TEST(Arguments, ReflectionOptionsThatWouldShowNothingAreRefused)
+{
+  const struct
+  {
+    std::vector<std::string> options;
+    std::string error;
+  } cases[] = {
+    { { "--roughness=0.5" }, "--roughness needs --reflection=oren-nayar or --reflection=metallic" },
+    { { "--metallic=1", "--reflection=oren-nayar" }, "--metallic needs --reflection=metallic" },
+    { { "--fresnel", "--reflection=lambert" },
+      "--fresnel needs --reflection=blinn-phong, phong or irradiance" },
+    { { "--refractive-index=1.3" }, "--refractive-index needs --fresnel or --reflection=metallic" },
+    { { "--refractive-index=1,2,3", "--reflection=metallic" },
+      "--refractive-index of --reflection=metallic is one number; a metal's colour is its "
+      "--color" },
+    { { "--rim=1,1,1", "--reflection=none" },
+      "--rim needs another --reflection than none or metallic" },
+    { { "--rim-power=2" }, "--rim-power needs --rim=r,g,b" },
+    { { "--model=2", "--reflection=lambert" },
+      "--model and --reflection exclude each other; give one" },
+    { { "--roughness=1.5", "--reflection=oren-nayar" }, "--roughness=1.5 is not from 0 to 1" },
+    { { "--refractive-index=0.9", "--fresnel" },
+      "--refractive-index=0.9 is not at least 1, the index of air" },
+    { { "--rim=-1,0,0" },
+      "--rim=-1,0,0 is not a colour of three numbers of at least 0, as in --rim=1,0.5,0" },
+  };
+  for (const auto& one : cases)
+  {
+    EXPECT_EQ(renderErrorOf(one.options), one.error);
+  }
+  EXPECT_NE(renderErrorOf({ "--model=6" }), "");
+}
+
 TEST(Arguments, LightsKeepTheirOrder)
 {
   const auto lights = parseRender(
@@ -170,9 +223,9 @@ TEST(Arguments, OptionsOfLaterVersionsAreNamedAsSuch)
 
 TEST(Arguments, ValuesOfLaterVersionsAreNamedAsSuch)
 {
-  EXPECT_EQ(renderErrorOf({ "--reflection=irradiance" }),
-    "--reflection=irradiance is not served by this version; choose one of: none, lambert, "
-    "phong, blinn-phong");
+  EXPECT_EQ(renderErrorOf({ "--reflection=mirror" }),
+    "--reflection=mirror is unknown; choose one of: none, lambert, "
+    "phong, blinn-phong, irradiance, oren-nayar, metallic");
   EXPECT_EQ(renderErrorOf({ "--tone=toon" }),
     "--tone=toon is not served by this version; choose one of: none, gooch, gooch-chapter");
   EXPECT_EQ(renderErrorOf({ "--outline=hull" }),
@@ -322,13 +375,14 @@ TEST(Arguments, HelpListsEveryServedOption)
 {
   const auto request = parseArguments({ "help", "render" });
   const std::string& text = std::get<HelpRequest>(request).text;
-  for (const std::string option :
-    { "--output", "--resolution", "--camera-position", "--camera-focal-point", "--camera-view-up",
-      "--camera-view-angle", "--camera-orthographic", "--camera-parallel-scale", "--up", "--color",
-      "--background-color", "--no-background", "--opacity", "--shading", "--reflection", "--tone",
-      "--cool", "--warm", "--ambient", "--diffuse", "--specular", "--specular-power", "--light",
-      "--ambient-light", "--outline", "--outline-color", "--coloring-array", "--colormap",
-      "--coloring-range", "--samples", "--backface-culling", "--threads", "--window", "--stats" })
+  for (const std::string option : { "--output", "--resolution", "--camera-position",
+         "--camera-focal-point", "--camera-view-up", "--camera-view-angle", "--camera-orthographic",
+         "--camera-parallel-scale", "--up", "--color", "--background-color", "--no-background",
+         "--opacity", "--shading", "--reflection", "--tone", "--roughness", "--metallic",
+         "--fresnel", "--refractive-index", "--rim", "--rim-power", "--model", "--cool", "--warm",
+         "--ambient", "--diffuse", "--specular", "--specular-power", "--light", "--ambient-light",
+         "--outline", "--outline-color", "--coloring-array", "--colormap", "--coloring-range",
+         "--samples", "--backface-culling", "--threads", "--window", "--stats" })
   {
     EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
   }

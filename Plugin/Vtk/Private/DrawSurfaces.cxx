@@ -54,10 +54,12 @@ void warnOfMissing(vtkRenderer* renderer, vtkActor* actor, const std::vector<Mis
   }
 }
 
-/// Such passes work on the shaders of OpenGL's mapper, into targets of their own.
-bool hasRenderPasses(vtkRenderer* renderer)
+/// Passes work on the shaders of OpenGL's mapper, into targets of their own; light from images is
+/// of these shaders.
+bool needsShaders(vtkRenderer* renderer)
 {
-  return renderer->GetPass() || renderer->GetUseSSAO() || renderer->GetUseShadows();
+  return renderer->GetPass() || renderer->GetUseSSAO() || renderer->GetUseShadows() ||
+         renderer->GetUseImageBasedLighting();
 }
 
 void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface, vtkPolyData* input)
@@ -116,7 +118,7 @@ void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* 
   {
     drawInLimnWindow(renderer, surface, input);
   }
-  else if (renderer->GetSelector() || hasRenderPasses(renderer) ||
+  else if (renderer->GetSelector() || needsShaders(renderer) ||
            !whatIsMissing(actor, mapper, input).empty())
   {
     if (compositor())

@@ -4,6 +4,7 @@
 
 #include "vtkLimnProperty.h"
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -59,6 +60,12 @@ Reflection toReflection(int model)
       return Reflection::kBlinnPhong;
     case vtkLimnProperty::REFLECTION_PHONG:
       return Reflection::kPhong;
+    case vtkLimnProperty::REFLECTION_IRRADIANCE:
+      return Reflection::kIrradiance;
+    case vtkLimnProperty::REFLECTION_OREN_NAYAR:
+      return Reflection::kOrenNayar;
+    case vtkLimnProperty::REFLECTION_METALLIC_ROUGHNESS:
+      return Reflection::kMetallicRoughness;
     default:
       return Reflection::kAsVtk;
   }
@@ -80,6 +87,8 @@ Tone toTone(int tone)
 void setIllustration(vtkLimnProperty* property, Style& style)
 {
   style.reflection = toReflection(property->GetReflectionModel());
+  style.fresnel = property->GetFresnel();
+  style.fallOff = property->GetFallOff();
   style.tone = toTone(property->GetTone());
   style.toneCool = toVec3f(property->GetCoolColor());
   style.toneWarm = toVec3f(property->GetWarmColor());
@@ -104,6 +113,21 @@ Material materialOf(vtkProperty* property)
   material.diffuse = static_cast<float>(property->GetDiffuse());
   material.specular = static_cast<float>(property->GetSpecular());
   material.specularPower = static_cast<float>(property->GetSpecularPower());
+  material.roughness = static_cast<float>(property->GetRoughness());
+  material.metallic = static_cast<float>(property->GetMetallic());
+  material.edgeTint = toVec3f(property->GetEdgeTint());
+  const double index = property->GetBaseIOR();
+  material.refractiveIndex = toVec3f(std::array<double, 3>{ index, index, index }.data());
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  if (limn)
+  {
+    material.rim = toVec3f(limn->GetRimColor());
+    material.rimPower = static_cast<float>(limn->GetRimPower());
+  }
+  if (limn && limn->GetFresnel())
+  {
+    material.refractiveIndex = toVec3f(limn->GetRefractiveIndex());
+  }
   return material;
 }
 
@@ -113,6 +137,9 @@ std::string unusableValueOf(vtkProperty* property)
   const double diffuse = property->GetDiffuse();
   const double specular = property->GetSpecular();
   const double power = property->GetSpecularPower();
+  const double roughness = property->GetRoughness();
+  const double metallic = property->GetMetallic();
+  const double index = property->GetBaseIOR();
   const struct
   {
     const char* name;
@@ -125,6 +152,10 @@ std::string unusableValueOf(vtkProperty* property)
     { "Diffuse", { &diffuse, 1 } },
     { "Specular", { &specular, 1 } },
     { "SpecularPower", { &power, 1 } },
+    { "Roughness", { &roughness, 1 } },
+    { "Metallic", { &metallic, 1 } },
+    { "BaseIOR", { &index, 1 } },
+    { "EdgeTint", { property->GetEdgeTint(), 3 } },
   };
   for (const auto& one : all)
   {
@@ -152,6 +183,10 @@ Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)
   if (vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property))
   {
     setIllustration(limn, style);
+  }
+  if (style.reflection == Reflection::kAsVtk && property->GetInterpolation() == VTK_PBR)
+  {
+    style.reflection = Reflection::kMetallicRoughnessAsVtk;
   }
   if (!property->GetLighting())
   {

@@ -55,6 +55,13 @@ bool isForcedOpaque(vtkActor* actor, vtkLimnPolyDataMapper* mapper)
          (actor->GetProperty()->GetOpacity() < 1 || !mapper->HasOpaqueGeometry());
 }
 
+/// What of VTK's physically based materials goes beyond metals and roughness.
+bool isBeyondMetals(vtkProperty* property)
+{
+  return property->GetInterpolation() == VTK_PBR &&
+         (property->GetCoatStrength() > 0 || property->GetAnisotropy() > 0);
+}
+
 bool hasTexture(vtkActor* actor)
 {
   return actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0;
@@ -84,7 +91,7 @@ std::vector<Missing> whatIsMissing(
     { property->GetEdgeVisibility() != 0, "edges on surfaces", true },
     { hasTexture(actor), "textures", true },
     { actor->GetBackfaceProperty() != nullptr, "back face properties", true },
-    { property->GetInterpolation() == VTK_PBR, "physically based materials", true },
+    { isBeyondMetals(property), "coats and anisotropy of materials", true },
     { mapper->GetScalarVisibility() && mapper->CanUseTextureMapForColoring(input),
       "scalars interpolated before mapping", true },
     { isShifted(mapper), "shifts of coincident topology", true },
