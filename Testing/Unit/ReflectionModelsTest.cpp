@@ -202,6 +202,24 @@ TEST_P(ReflectionModels, FresnelsTermGrowsFromHeadOnToGrazing)
   }
 }
 
+TEST_P(ReflectionModels, TheHighlightHasTheColourOfTheSurface)
+{
+  constexpr double kPower = 10;
+  Stage stage = litSphere(Reflection::kBlinnPhong);
+  Material& material = materialOf(stage);
+  material.diffuse = 0;
+  material.specular = 0.9f;
+  material.specularColor = {1, 0.6f, 0.35f};
+  material.specularPower = static_cast<float>(kPower);
+  const auto lit = [](const Hit& hit) -> std::optional<Vec3d> {
+    const double nl = dot(hit.normal, kLight);
+    if (atTerminator(nl)) return std::nullopt;
+    const double nh = positive(dot(hit.normal, normalized(kLight + hit.towardEye)));
+    return Vec3d{0.9, 0.54, 0.315} * (nl > 0 ? std::pow(nh, kPower) : 0.0);
+  };
+  expectPicture(stage, draw(stage), hitSphere, lit, kRounding + steepness(kPower) * kFacets);
+}
+
 TEST_P(ReflectionModels, VelvetGrowsTowardsTheOutline)
 {
   Stage stage = litSphere(Reflection::kLambert);

@@ -195,6 +195,26 @@ TEST_F(RenderFloor, HighlightsAreAddedUnlessTheReflectionIsLambert)
   EXPECT_EQ(differenceFrom("0.2,0.4,0", { shiny[0], shiny[1], "--reflection=lambert" }), kSame);
 }
 
+TEST_F(RenderFloor, LocalModelsAddOneTermAtATime)
+{
+  // Luminance: 0.3286 of the colour, 0.11472 of the highlight.
+  const auto differenceOfModel = [this](int model, const std::string& color, Words options)
+  {
+    options.insert(options.end(),
+      { "--color=0.2,0.4,0", "--specular=0.2,0,1", "--model=" + std::to_string(model) });
+    return differenceFrom(color, options);
+  };
+  const std::string ambient = "--ambient-light=0.5,0.5,0.5",
+                    farAway = "--light=point:0,100,0:1,1,1";
+  EXPECT_EQ(differenceOfModel(1, "0.1643,0.1643,0.1643", { ambient }), kSame);
+  EXPECT_EQ(differenceOfModel(2, "0.4929,0.4929,0.4929", { ambient }), kSame);
+  EXPECT_EQ(differenceOfModel(2, "0.3286,0.3286,0.3286", { farAway }), kSame);
+  EXPECT_EQ(differenceOfModel(3, "0,0,0", { farAway }), kSame);
+  EXPECT_EQ(differenceOfModel(3, "0.3286,0.3286,0.3286", {}), kSame);
+  EXPECT_EQ(differenceOfModel(4, "0.44332,0.44332,0.44332", {}), kSame);
+  EXPECT_EQ(differenceOfModel(5, "0.31472,0.51472,0.11472", {}), kSame);
+}
+
 TEST_F(RenderFloor, WarmAndCoolAreTheEndsOfTheTonesThemselves)
 {
   const std::string warm = "--warm=0.8,0.4,0.2";

@@ -216,6 +216,9 @@ TEST_F(View, KeysSwitchTheLook)
   expectChange(XK_s, "shading flat");
   expectChange(XK_s, "shading gouraud");
   expectChange(XK_s, "shading phong");
+  expectChange(XK_l, "reflection irradiance");
+  expectChange(XK_l, "reflection oren-nayar");
+  expectChange(XK_l, "reflection metallic");
   expectChange(XK_l, "reflection none");
   expectChange(XK_l, "reflection lambert");
   expectChange(XK_t, "tone gooch");

@@ -81,8 +81,12 @@ const Case Cases[] = {
       vtkNew<vtkProperty> property;
       stage.Actor->SetBackfaceProperty(property);
     } },
-  { "physically based materials", true,
-    [](Stage& stage) { stage.Actor->GetProperty()->SetInterpolationToPBR(); } },
+  { "coats and anisotropy of materials", true,
+    [](Stage& stage)
+    {
+      stage.Actor->GetProperty()->SetInterpolationToPBR();
+      stage.Actor->GetProperty()->SetCoatStrength(0.5);
+    } },
 };
 
 void checkFeatures()
