@@ -138,10 +138,46 @@ Status checkAttributes(const Instance& instance, MeshSizes sizes, InstanceName n
                 {a.vertexColors.size(), sizes.vertices, ": vertex colours"},
                 {a.cellColors.size(), cells, ": cell colours"},
                 {a.faceCentroids.size(), cells, ": face centroids"},
-                {a.faceNormals.size(), cells, ": face normals"}};
+                {a.faceNormals.size(), cells, ": face normals"},
+                {a.uv.size(), sizes.vertices, ": texture coordinates"},
+                {a.uv2.size(), sizes.vertices, ": second texture coordinates"}};
   for (const auto& check : checks)
     if (Status status = checkSize(check.size, check.needed, name, check.what); !status.ok())
       return status;
+  return {};
+}
+
+Status checkLayer(const TextureLayer& layer, const Attributes& attributes, const std::string& name)
+{
+  if ((layer.image == nullptr) == (layer.procedural == nullptr))
+    return {Error::kMissingData, name + " needs an image or a procedural texture, and not both."};
+  if (layer.image != nullptr && layer.image->empty())
+    return {Error::kMissingData, name + " has an empty image; call TextureImage::build()."};
+  if (layer.bendsNormals() && layer.image == nullptr)
+    return {Error::kMissingData, name + " bends normals and needs an image."};
+  if (layer.uvSet != 0 && layer.uvSet != 1)
+    return {Error::kMissingData, name + " reads the texture coordinates " +
+                                     std::to_string(layer.uvSet) + "; there are 0 and 1."};
+  if (!std::isfinite(layer.amount) || !std::all_of(layer.uvTransform, layer.uvTransform + 6,
+                                                   [](float v) { return std::isfinite(v); }))
+    return {Error::kNotFinite, name + " has a value that is not a finite number."};
+  if (layer.procedural != nullptr)
+    if (Status status = checkProcedural(*layer.procedural, name); !status.ok()) return status;
+  if (Status status = checkSampler(layer.sampler, name); !status.ok()) return status;
+  const bool hasUv = !(layer.uvSet == 0 ? attributes.uv : attributes.uv2).empty();
+  if ((layer.readsUv() || layer.bendsNormals()) && !hasUv)
+    return {Error::kMissingData, name + " needs texture coordinates, and the mesh has none."};
+  return {};
+}
+
+Status checkLayers(const Instance& instance, InstanceName name)
+{
+  for (std::size_t i = 0; i < instance.layers.size(); ++i) {
+    const std::string text = ": texture " + std::to_string(i);
+    if (Status status = checkLayer(instance.layers[i], instance.attributes, name + text.c_str());
+        !status.ok())
+      return status;
+  }
   return {};
 }
 
@@ -151,6 +187,7 @@ Status checkInstance(const Instance& instance, std::size_t number, Backend backe
   if (!isFinite(instance.modelToWorld))
     return {Error::kNotFinite, name + ": its matrix has a value that is not a finite number."};
   if (Status status = checkMaterial(instance, name); !status.ok()) return status;
+  if (Status status = checkLayers(instance, name); !status.ok()) return status;
   if (backend == Backend::kPipeline) {
     if (instance.clusters == nullptr)
       return {Error::kMissingData, name + " has no clusters; call buildClusters()."};

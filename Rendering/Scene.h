@@ -7,6 +7,7 @@
 #include "Rendering/Base/Vec.h"
 #include "Rendering/Mesh/ClusteredMesh.h"
 #include "Rendering/Mesh/MeshView.h"
+#include "Rendering/Texture/TextureLayer.h"
 
 #include <cstdint>
 
@@ -136,6 +137,7 @@ struct Attributes {
   Span<const Vec3f> faceNormals;    ///< FaceGeometry, per cell
   Span<const std::uint32_t> cells;  ///< cell of each triangle; empty: triangle t is cell t
   std::size_t cellCount = 0;        ///< with `cells`: required to be above every one of them
+  Span<const Vec2f> uv, uv2;        ///< per vertex; one that is not finite counts as 0
 };
 
 /// One mesh in the world. Draw order is the order in Scene::instances, then of the triangles.
@@ -146,6 +148,7 @@ struct Instance {
   Mat4d modelToWorld = Mat4d::identity();
   Material material;
   Style style;
+  Span<const TextureLayer> layers;                     ///< applied in this order
   bool cullBackFaces = false, cullFrontFaces = false;  ///< front: counter-clockwise on the screen
   std::uint32_t id = 0;  ///< written to FrameView::instance where this instance is seen
 };

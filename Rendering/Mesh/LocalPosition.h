@@ -20,11 +20,17 @@ inline Vec3d exact(LocalPosition p)
   return vec3Cast<double>(p.high) + vec3Cast<double>(p.low);
 }
 
+/// From a to b, rounded once.
+inline Vec3f edge(LocalPosition a, LocalPosition b)
+{
+  return vec3Cast<float>(exact(b) - exact(a));
+}
+
 /// The normal of triangle a, b, c: counter-clockwise seen from outside, length twice the area. The
 /// edges are rounded to float, not the corners, so that a small triangle far out keeps its normal.
 inline Vec3f triangleNormal(LocalPosition a, LocalPosition b, LocalPosition c)
 {
-  return cross(vec3Cast<float>(exact(b) - exact(a)), vec3Cast<float>(exact(c) - exact(a)));
+  return cross(edge(a, b), edge(a, c));
 }
 
 /// An axis-aligned box; empty while low.x > high.x.

@@ -196,10 +196,8 @@ void perspectiveWeights(const float (&share)[3], float (&weight)[3])
     weight[i] = share[i] * inverse;
 }
 
-SurfacePoint surfacePoint(const ScreenTriangle& piece, std::uint32_t triangle, bool mirrored,
-                          Point p)
+void cornerWeights(const ScreenTriangle& piece, Point p, float (&weight)[3])
 {
-  SurfacePoint point = {triangle, {}, piece.clockwise != mirrored};
   float share[3];
   for (int i = 0; i < 3; ++i) {
     // Turning the triangle counter-clockwise has swapped its second and third vertex; sums run in
@@ -208,15 +206,24 @@ SurfacePoint surfacePoint(const ScreenTriangle& piece, std::uint32_t triangle, b
     share[corner] = static_cast<float>(piece.edgeValue(i, p)) * piece.vertex[i].inverseW;
   }
   if (!piece.clipped) {
-    perspectiveWeights(share, point.weight);
-    return point;
+    perspectiveWeights(share, weight);
+    return;
   }
   float b[3];
   perspectiveWeights(share, b);
   for (int corner = 0; corner < 3; ++corner) {
     const auto w = [&](int k) { return static_cast<float>(piece.weight[k][corner]); };
-    point.weight[corner] = (b[0] * w(0) + b[1] * w(1)) + b[2] * w(2);
+    weight[corner] = (b[0] * w(0) + b[1] * w(1)) + b[2] * w(2);
   }
+}
+
+SurfacePoint surfacePoint(const ScreenTriangle& piece, std::uint32_t triangle, bool mirrored,
+                          Point p)
+{
+  SurfacePoint point = {triangle, {}, {}, {}, piece.clockwise != mirrored};
+  cornerWeights(piece, p, point.weight);
+  cornerWeights(piece, {p.x + kSubpixels, p.y}, point.rightWeight);
+  cornerWeights(piece, {p.x, p.y + kSubpixels}, point.aboveWeight);
   return point;
 }
 

@@ -3,6 +3,8 @@
 #include "Rendering/Reference/ReferenceShading.h"
 
 #include "Rendering/Base/Power.h"
+#include "Rendering/Reference/ReferenceTextures.h"
+#include "Rendering/Texture/SampleTexture.h"
 
 #include <algorithm>
 #include <cmath>
@@ -258,6 +260,11 @@ Vec3f lightSurface(const Scene& scene, const Instance& instance,
   }
 }
 
+Vec2f mix(const float (&weight)[3], Vec2f a, Vec2f b, Vec2f c)
+{
+  return (a * weight[0] + b * weight[1]) + c * weight[2];
+}
+
 Vec3f mix(const SurfacePoint& point, Vec3f a, Vec3f b, Vec3f c)
 {
   return (a * point.weight[0] + b * point.weight[1]) + c * point.weight[2];
@@ -297,6 +304,28 @@ class Face {
   {
     const Vec3f n = normalized(transformDirection(transform_.normalToView, localNormal));
     return point_.backFacing ? -n : n;
+  }
+
+  /// pixelNormal() with the bumps of textures.
+  Vec3f bentNormal() const
+  {
+    Vec3f n = pixelNormal();
+    for (const TextureLayer& layer : instance_.layers)
+      if (layer.bendsNormals() && shows(layer)) n = bent(layer, n);
+    return n;
+  }
+  bool shows(const TextureLayer& layer) const { return layer.onBackFaces || !point_.backFacing; }
+  /// The texture's colour here.
+  Vec4f sample(const TextureLayer& layer) const { return sampleLayer(layer, texturePoint(layer)); }
+  /// k_a and k_d under the textures of kSurface.
+  void dress(Surface& s) const
+  {
+    for (const TextureLayer& layer : instance_.layers) {
+      if (layer.role != TextureRole::kSurface || !shows(layer)) continue;
+      const Vec4f texture = sample(layer);
+      s.ambient = combine(layer.mode, s.ambient, texture, instance_.material.ambient);
+      s.diffuse = combine(layer.mode, s.diffuse, texture, instance_.material.diffuse);
+    }
   }
 
   /// The mixed normal of the pixel, from the style's source.
@@ -364,12 +393,59 @@ class Face {
 
   Vec3f light(Vec3f position, Vec3f normal, Vec3f color, const std::vector<ViewLight>& lights) const
   {
+    return lightSurface(scene_, instance_, lights, bareSurface(position, normal, color));
+  }
+  Surface bareSurface(Vec3f position, Vec3f normal, Vec3f color) const
+  {
     const bool colored = hasVertexColors() || hasCellColors();
-    return lightSurface(scene_, instance_, lights,
-                        surface(position, normal, colored ? &color : nullptr));
+    return surface(position, normal, colored ? &color : nullptr);
   }
 
  private:
+  Span<const Vec2f> uvOf(const TextureLayer& layer) const
+  {
+    return layer.uvSet == 0 ? instance_.attributes.uv : instance_.attributes.uv2;
+  }
+  Vec2f cornerUv(const TextureLayer& layer, int i) const
+  {
+    return uvOf(layer)[triangle_.vertex[i]];
+  }
+  TexturePoint texturePoint(const TextureLayer& layer) const
+  {
+    const Vec3f local = mix(point_, corner(0).high, corner(1).high, corner(2).high);
+    TexturePoint result = {{0, 0}, {0, 0}, {0, 0}, local + vec3Cast<float>(origin_)};
+    if (!layer.readsUv()) return result;
+    const auto uvAt = [&](const float(&weight)[3]) {
+      const Vec2f uv = mix(weight, cornerUv(layer, 0), cornerUv(layer, 1), cornerUv(layer, 2));
+      const float* const m = layer.uvTransform;
+      return Vec2f{(m[0] * uv.x + m[1] * uv.y) + m[2], (m[3] * uv.x + m[4] * uv.y) + m[5]};
+    };
+    result.uv = uvAt(point_.weight);
+    result.ddx = uvAt(point_.rightWeight) - result.uv;
+    result.ddy = uvAt(point_.aboveWeight) - result.uv;
+    return result;
+  }
+  Vec3f bent(const TextureLayer& layer, Vec3f n) const
+  {
+    const Vec2f uv[3] = {cornerUv(layer, 0), cornerUv(layer, 1), cornerUv(layer, 2)};
+    const TangentFrame frame =
+        tangentFrame(edge(corner(0), corner(1)), edge(corner(0), corner(2)), uv);
+    const auto toView = [&](Vec3f d) {
+      return normalized(transformDirection(transform_.toViewFloat, d));
+    };
+    const Vec3f u = toView(frame.u), v = toView(frame.v);
+    // From inside the normal is turned round, and so are its changes.
+    const float side = point_.backFacing ? -layer.amount : layer.amount;
+    const TexturePoint at = texturePoint(layer);
+    if (layer.role == TextureRole::kBump) {
+      const Vec2f b = heightGradient(*layer.image, layer.sampler, at.uv, at.ddx, at.ddy) * side;
+      return normalized((n - u * b.x) - v * b.y);
+    }
+    const Vec4f t = sampleTexture(*layer.image, layer.sampler, at.uv, at.ddx, at.ddy);
+    const float x = (2.0f * t.x - 1.0f) * side, y = (2.0f * t.y - 1.0f) * side;
+    return normalized((n * (2.0f * t.z - 1.0f) + u * x) + v * y);
+  }
+
   const Scene& scene_;
   const Instance& instance_;
   const InstanceTransform& transform_;
@@ -378,6 +454,26 @@ class Face {
   Triangle triangle_;
   std::uint32_t cell_;
 };
+
+/// What textures do after the light equation.
+Vec3f finish(const Face& face, const Instance& instance, Vec3f diffuse, Vec3f color)
+{
+  const Style& style = instance.style;
+  const bool isLit = style.tone == Tone::kNone && style.reflection != Reflection::kNone;
+  for (const TextureLayer& layer : instance.layers) {
+    if (!face.shows(layer)) continue;
+    const bool isShaded =
+        layer.role == TextureRole::kShaded ||
+        (layer.role == TextureRole::kSurface && style.frequency == ShadingFrequency::kGouraud);
+    if (isShaded) {
+      color = combine(layer.mode, color, face.sample(layer), 1.0f);
+    } else if (layer.role == TextureRole::kLight && isLit) {
+      const Vec4f t = face.sample(layer);
+      color = color + (diffuse * layer.amount) * Vec3f{t.x, t.y, t.z};
+    }
+  }
+  return color;
+}
 
 }  // namespace
 
@@ -394,16 +490,19 @@ Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransfor
     const Vec3f v = towardEye(scene.camera, face.pixelPosition());
     if (std::fabs(dot(n, v)) < style.outlineThreshold) return style.outlineColor;
   }
+  const Vec3f dataColor = colored ? face.pixelColor() : Vec3f{};
   if (style.frequency == ShadingFrequency::kGouraud) {
     Vec3f color[3];
     for (int i = 0; i < 3; ++i)
       color[i] = face.light(face.cornerPosition(i), face.cornerNormal(i),
                             colored ? face.cornerColor(i) : Vec3f{}, lights);
-    return mix(point, color[0], color[1], color[2]);
+    const Surface surface = face.bareSurface({}, {}, dataColor);
+    return finish(face, instance, surface.diffuse, mix(point, color[0], color[1], color[2]));
   }
-  const Vec3f color = colored ? face.pixelColor() : Vec3f{};
-  return flat ? face.light(face.facePosition(), face.faceNormal(), color, lights)
-              : face.light(face.pixelPosition(), face.pixelNormal(), color, lights);
+  Surface surface = flat ? face.bareSurface(face.facePosition(), face.faceNormal(), dataColor)
+                         : face.bareSurface(face.pixelPosition(), face.bentNormal(), dataColor);
+  face.dress(surface);
+  return finish(face, instance, surface.diffuse, lightSurface(scene, instance, lights, surface));
 }
 
 }  // namespace limn::reference

@@ -14,7 +14,8 @@ namespace limn::reference {
 struct SurfacePoint {
   std::uint32_t triangle;
   float weight[3];
-  bool backFacing;  ///< seen from the inside; normals are turned to the eye
+  float rightWeight[3], aboveWeight[3];  ///< a pixel to the right, and above, in its plane
+  bool backFacing;                       ///< seen from the inside; normals are turned to the eye
 };
 
 /// The colour of a visible point by the instance's style, before clamping and rounding.

@@ -26,6 +26,16 @@ struct alignas(64) FragmentBatch {
     }
   };
 
+  struct Pairs {
+    float x[kCapacity], y[kCapacity];
+
+    void set(int i, Vec2f v)
+    {
+      x[i] = v.x;
+      y[i] = v.y;
+    }
+  };
+
   // Filled for all instances:
   std::uint32_t owner[kCapacity];  ///< TileOwner
   std::int32_t pixel[kCapacity];   ///< as FragmentList's
@@ -38,6 +48,8 @@ struct alignas(64) FragmentBatch {
   std::int32_t screenX[3][kCapacity], screenY[3][kCapacity];  ///< of the corners; subpixels
   float inverseW[3][kCapacity];                               ///< likewise
   float weight[3][kCapacity];                                 ///< per corner: (12.4)
+  /// A pixel to the right, and above, in the triangle's plane; if UvUse::footprint.
+  float rightWeight[3][kCapacity], aboveWeight[3][kCapacity];
   float side[kCapacity];              ///< 1 seen from outside, -1 from inside
   std::int32_t needsClip[kCapacity];  ///< not 0: the five above mean nothing
   Vectors viewCorner[3];              ///< only if the mesh has low parts
@@ -45,6 +57,7 @@ struct alignas(64) FragmentBatch {
   // By what the instance's style and attributes are:
   Vectors cornerNormal[3];  ///< local; [0] alone for normals of a cell
   Vectors cornerColor[3];   ///< 0 ... 255; [0] alone for colours of a cell
+  Pairs cornerUv[2][3];     ///< by UvUse::set
   Vectors facePosition;     ///< centroid in view space; for flat frequency
   Vectors faceNormal;       ///< local; for flat frequency
   Vectors color;            ///< the result, before clamping
@@ -61,6 +74,21 @@ struct RadianceArrays {
     g.resize(size);
     b.resize(size);
   }
+};
+
+/// What of texture coordinates an instance's textures read.
+struct UvUse {
+  bool set[2] = {false, false};
+  bool footprint = false;  ///< how they change from pixel to pixel
+
+  explicit UvUse(const Instance& instance)
+  {
+    for (const TextureLayer& layer : instance.layers) {
+      if (layer.readsUv()) set[layer.uvSet] = true;
+      footprint = footprint || layer.readsFootprint();
+    }
+  }
+  bool any() const { return set[0] || set[1]; }
 };
 
 /// Colours of the fragments of one tile; alpha 255.
@@ -115,7 +143,7 @@ bool isGatherable(const ClusteredMesh& mesh);
 /// Moves the fragments' points from their pixels to the viewport. Puts the corners on the screen
 /// again, bit for bit as transformVertices(), and finds where in its triangle each fragment lies.
 /// Corners before the near plane or outside the guard band are left to the caller.
-void placeFragments(const InstanceTransform& transform, const TileRectangle& pixels,
+void placeFragments(const InstanceTransform& transform, const TileRectangle& pixels, bool footprint,
                     FragmentBatch& batch);
 /// Fills `color` by the instance's style.
 void lightFragments(const ShadingContext& context, FragmentBatch& batch);

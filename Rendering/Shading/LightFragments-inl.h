@@ -5,9 +5,33 @@
 #include "Rendering/Base/ColorBytes-inl.h"
 #include "Rendering/Base/Simd.h"
 #include "Rendering/Shading/LightEquations-inl.h"
+#include "Rendering/Texture/Procedural-inl.h"
+#include "Rendering/Texture/SampleTexture-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::HWY_NAMESPACE {
+
+/// TextureMode, with k the weight of the texture's colour.
+HWY_INLINE Lanes3 combine(TextureMode mode, Lanes3 color, Lanes4 texture, float k)
+{
+  const Lanes3 t = {texture.x, texture.y, texture.z};
+  switch (mode) {
+    case TextureMode::kModulate:
+      return mul(color, t);
+    case TextureMode::kReplace:
+      return mul(t, set(k));
+    case TextureMode::kDecal:
+      return add(color, mul(sub(mul(t, set(k)), color), texture.w));
+    default:
+      return add(color, mul(t, set(k)));
+  }
+}
+
+/// Where the weights of the corners are, by fragment: those at it, and a pixel to the right and
+/// above. The latter are there if UvUse::footprint.
+struct CornerWeights {
+  const float *here[3], *right[3], *above[3];
+};
 
 /// What the fragments of a batch carry, a fragment a lane.
 class BatchLanes {
@@ -46,13 +70,7 @@ class FragmentLanes {
       planeNormal_ = facing(style.normals == NormalSource::kCell ? normal(0) : acrossEdges());
   }
 
-  /// Of the corners, by fragment.
-  void setWeights(const float* w0, const float* w1, const float* w2)
-  {
-    weight_[0] = w0;
-    weight_[1] = w1;
-    weight_[2] = w2;
-  }
+  void setWeights(const CornerWeights& weights) { weights_ = weights; }
 
   HWY_INLINE Lanes3 mix(Lanes3 a, Lanes3 b, Lanes3 c) const
   {
@@ -77,6 +95,14 @@ class FragmentLanes {
   {
     return instance_.style.normals == NormalSource::kVertex ? facing(normal(k)) : planeNormal_;
   }
+  /// pixelNormal() with the bumps of textures.
+  Lanes3 bentNormal() const
+  {
+    Lanes3 n = pixelNormal();
+    for (const TextureLayer& layer : instance_.layers)
+      if (layer.bendsNormals()) n = whereShown(layer, bent(layer, n), n);
+    return n;
+  }
   Lanes3 facePosition() const { return value(batch_.facePosition); }
   Lanes3 faceNormal() const { return facing(value(batch_.faceNormal)); }
 
@@ -87,6 +113,34 @@ class FragmentLanes {
   Lanes3 cornerColor(int k) const { return color(vertexColored() ? k : 0); }
   bool colored() const { return vertexColored() || !instance_.attributes.cellColors.empty(); }
   bool vertexColored() const { return !instance_.attributes.vertexColors.empty(); }
+
+  /// The texture's colour.
+  Lanes4 sample(const TextureLayer& layer) const
+  {
+    if (layer.image != nullptr) {
+      const TexturePoint at = texturePoint(layer);
+      return sampleTexture(*layer.image, layer.sampler, at.uv, at.ddx, at.ddy);
+    }
+    if (!layer.readsUv()) return proceduralColor(*layer.procedural, modelPosition());
+    const Lanes2 uv = texturePoint(layer).uv;
+    return proceduralColor(*layer.procedural, {uv.x, uv.y, set(0.0f)});
+  }
+  /// `yes` but for fragments seen from inside, if the texture is not for these.
+  HWY_INLINE Lanes3 whereShown(const TextureLayer& layer, Lanes3 yes, Lanes3 no) const
+  {
+    return layer.onBackFaces ? yes : choose(isPositive(side_), yes, no);
+  }
+  /// k_a and k_d under the textures of kSurface.
+  void dress(Surface& s) const
+  {
+    for (const TextureLayer& layer : instance_.layers) {
+      if (layer.role != TextureRole::kSurface) continue;
+      const Lanes4 texture = sample(layer);
+      const Material& m = instance_.material;
+      s.ambient = whereShown(layer, combine(layer.mode, s.ambient, texture, m.ambient), s.ambient);
+      s.diffuse = whereShown(layer, combine(layer.mode, s.diffuse, texture, m.diffuse), s.diffuse);
+    }
+  }
 
   Surface surface(Lanes3 position, Lanes3 normal, const Lanes3* data) const
   {
@@ -110,14 +164,78 @@ class FragmentLanes {
   {
     return {lanes_.value(v.x), lanes_.value(v.y), lanes_.value(v.z)};
   }
-  HWY_INLINE V weight(int k) const { return hn::Load(D(), weight_[k]); }
+  HWY_INLINE V weight(int k) const { return hn::Load(D(), weights_.here[k]); }
   HWY_INLINE Lanes3 corner(int k) const { return value(batch_.corner[k]); }
   HWY_INLINE Lanes3 normal(int k) const { return value(batch_.cornerNormal[k]); }
   HWY_INLINE Lanes3 color(int k) const { return value(batch_.cornerColor[k]); }
-  Lanes3 acrossEdges() const
+  /// From corner 0 to corner k.
+  HWY_INLINE Lanes3 edge(int k) const
   {
-    return transform_.hasLowParts ? cross(value(batch_.edge[0]), value(batch_.edge[1]))
-                                  : cross(sub(corner(1), corner(0)), sub(corner(2), corner(0)));
+    return transform_.hasLowParts ? value(batch_.edge[k - 1]) : sub(corner(k), corner(0));
+  }
+  Lanes3 acrossEdges() const { return cross(edge(1), edge(2)); }
+
+  HWY_INLINE Lanes2 cornerUv(const TextureLayer& layer, int k) const
+  {
+    const FragmentBatch::Pairs& uv = batch_.cornerUv[layer.uvSet][k];
+    return {lanes_.value(uv.x), lanes_.value(uv.y)};
+  }
+  struct TexturePoint {
+    Lanes2 uv, ddx, ddy;
+  };
+  TexturePoint texturePoint(const TextureLayer& layer) const
+  {
+    const Lanes2 corner[3] = {cornerUv(layer, 0), cornerUv(layer, 1), cornerUv(layer, 2)};
+    const auto uvAt = [&](const float* const(&weight)[3]) HWY_ATTR {
+      const Lanes2 a = mul(corner[0], hn::Load(D(), weight[0]));
+      const Lanes2 b = mul(corner[1], hn::Load(D(), weight[1]));
+      const Lanes2 uv = add(add(a, b), mul(corner[2], hn::Load(D(), weight[2])));
+      const auto row = [&](const float* m) HWY_ATTR {
+        return hn::Add(hn::Add(hn::Mul(set(m[0]), uv.x), hn::Mul(set(m[1]), uv.y)), set(m[2]));
+      };
+      return Lanes2{row(layer.uvTransform), row(layer.uvTransform + 3)};
+    };
+    const Lanes2 uv = uvAt(weights_.here), still = set(Vec2f{0, 0});
+    if (!layer.readsFootprint()) return {uv, still, still};
+    return {uv, sub(uvAt(weights_.right), uv), sub(uvAt(weights_.above), uv)};
+  }
+  Lanes3 modelPosition() const
+  {
+    return add(mix(corner(0), corner(1), corner(2)),
+               set(vec3Cast<float>(instance_.clusters->origin)));
+  }
+  /// The normal under a texture of kNormal or kBump; see ReferenceShading.cpp.
+  Lanes3 bent(const TextureLayer& layer, Lanes3 n) const
+  {
+    const Lanes2 uv0 = cornerUv(layer, 0);
+    const Lanes2 d1 = sub(cornerUv(layer, 1), uv0), d2 = sub(cornerUv(layer, 2), uv0);
+    const V area = hn::Sub(hn::Mul(d1.x, d2.y), hn::Mul(d2.x, d1.y));
+    const V turn = hn::IfThenElse(isPositive(area), set(1.0f),
+                                  hn::IfThenElseZero(hn::Lt(area, set(0.0f)), set(-1.0f)));
+    const Lanes3 e1 = edge(1), e2 = edge(2);
+    const Lanes3 u = toView(mul(sub(mul(e1, d2.y), mul(e2, d1.y)), turn));
+    const Lanes3 v = toView(mul(sub(mul(e2, d1.x), mul(e1, d2.x)), turn));
+    const V amount = hn::Mul(side_, set(layer.amount));
+    const TexturePoint at = texturePoint(layer);
+    if (layer.role == TextureRole::kBump) {
+      const Lanes2 b =
+          mul(heightGradient(*layer.image, layer.sampler, at.uv, at.ddx, at.ddy), amount);
+      return normalized(sub(sub(n, mul(u, b.x)), mul(v, b.y)));
+    }
+    const Lanes4 t = sampleTexture(*layer.image, layer.sampler, at.uv, at.ddx, at.ddy);
+    const auto component = [](V value)
+                               HWY_ATTR { return hn::Sub(hn::Mul(set(2.0f), value), set(1.0f)); };
+    const V x = hn::Mul(component(t.x), amount), y = hn::Mul(component(t.y), amount);
+    return normalized(add(add(mul(n, component(t.z)), mul(u, x)), mul(v, y)));
+  }
+  HWY_INLINE Lanes3 toView(Lanes3 direction) const
+  {
+    const auto row = [&](int r) HWY_ATTR {
+      const float* m = transform_.toViewFloat.m[r];
+      return hn::Add(hn::Add(hn::Mul(set(m[0]), direction.x), hn::Mul(set(m[1]), direction.y)),
+                     hn::Mul(set(m[2]), direction.z));
+    };
+    return normalized({row(0), row(1), row(2)});
   }
 
   HWY_INLINE Lanes3 viewPosition(Lanes3 p) const
@@ -145,7 +263,7 @@ class FragmentLanes {
   Lanes lanes_;
   V side_;
   Lanes3 planeNormal_;  ///< not for vertex normals nor flat frequency
-  const float* weight_[3] = {};
+  CornerWeights weights_ = {};
 };
 
 /// The light equation over fragments of one instance.
@@ -153,7 +271,10 @@ template <class Lanes>
 class Shader {
  public:
   Shader(const ShadingContext& context, const FragmentBatch& batch, Lanes lanes)
-      : lighting_(context), style_(context.placed->instance->style), lanes_(context, batch, lanes)
+      : lighting_(context),
+        style_(context.placed->instance->style),
+        layers_(context.placed->instance->layers),
+        lanes_(context, batch, lanes)
   {
   }
 
@@ -169,14 +290,14 @@ class Shader {
   bool isConstant() const
   {
     return style_.frequency == ShadingFrequency::kFlat && !lanes_.vertexColored() &&
-           !(style_.outlineThreshold > 0.0f);
+           !(style_.outlineThreshold > 0.0f) && layers_.empty();
   }
 
   /// Requires: lightCorners() if needsCorners().
-  HWY_INLINE Lanes3 colorAt(const float* w0, const float* w1, const float* w2)
+  HWY_INLINE Lanes3 colorAt(const CornerWeights& weights)
   {
-    lanes_.setWeights(w0, w1, w2);
-    const Lanes3 color = shade();
+    lanes_.setWeights(weights);
+    const Lanes3 color = layers_.empty() ? shade() : shadeTextured();
     return style_.outlineThreshold > 0.0f ? choose(onOutline(), set(style_.outlineColor), color)
                                           : color;
   }
@@ -197,6 +318,39 @@ class Shader {
     return light(lighting_.readsPosition() ? lanes_.pixelPosition() : none(), lanes_.pixelNormal(),
                  color);
   }
+  Lanes3 shadeTextured() const
+  {
+    const Lanes3 data = lanes_.colored() ? lanes_.pixelColor() : none();
+    const Lanes3* const own = lanes_.colored() ? &data : nullptr;
+    if (style_.frequency == ShadingFrequency::kGouraud)
+      return finish(lanes_.surface(none(), none(), own).diffuse, shade());
+    Surface surface =
+        style_.frequency == ShadingFrequency::kFlat
+            ? lanes_.surface(lanes_.facePosition(), lanes_.faceNormal(), own)
+            : lanes_.surface(lighting_.readsPosition() ? lanes_.pixelPosition() : none(),
+                             lanes_.bentNormal(), own);
+    lanes_.dress(surface);
+    return finish(surface.diffuse, lighting_.light(surface));
+  }
+  /// What textures do after the light equation.
+  Lanes3 finish(Lanes3 diffuse, Lanes3 color) const
+  {
+    const bool isLit = style_.tone == Tone::kNone && style_.reflection != Reflection::kNone;
+    for (const TextureLayer& layer : layers_) {
+      const bool isShaded =
+          layer.role == TextureRole::kShaded ||
+          (layer.role == TextureRole::kSurface && style_.frequency == ShadingFrequency::kGouraud);
+      if (isShaded) {
+        color =
+            lanes_.whereShown(layer, combine(layer.mode, color, lanes_.sample(layer), 1.0f), color);
+      } else if (layer.role == TextureRole::kLight && isLit) {
+        const Lanes4 t = lanes_.sample(layer);
+        const Lanes3 more = mul(mul(diffuse, set(layer.amount)), Lanes3{t.x, t.y, t.z});
+        color = lanes_.whereShown(layer, add(color, more), color);
+      }
+    }
+    return color;
+  }
   /// Pixels with |n.v| below the threshold, figure 12.15.
   M onOutline() const
   {
@@ -208,6 +362,7 @@ class Shader {
 
   Lighting lighting_;
   const Style& style_;
+  Span<const TextureLayer> layers_;
   FragmentLanes<Lanes> lanes_;
   // Not left to a default constructor, which GCC compiles without the target's instructions.
   Lanes3 lit_[3] = {none(), none(), none()};
@@ -219,8 +374,13 @@ void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
   for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
     Shader<BatchLanes> shader(context, batch, BatchLanes(i));
     if (shader.needsCorners()) shader.lightCorners();
-    store(shader.colorAt(batch.weight[0] + i, batch.weight[1] + i, batch.weight[2] + i),
-          batch.color, i);
+    CornerWeights weights;
+    for (int k = 0; k < 3; ++k) {
+      weights.here[k] = batch.weight[k] + i;
+      weights.right[k] = batch.rightWeight[k] + i;
+      weights.above[k] = batch.aboveWeight[k] + i;
+    }
+    store(shader.colorAt(weights), batch.color, i);
   }
 }
 
@@ -264,10 +424,18 @@ struct TriangleFragments {
 
   alignas(64) std::int32_t pixel[kRoom];
   alignas(64) float weight[3][kRoom];
+  alignas(64) float rightWeight[3][kRoom];
+  alignas(64) float aboveWeight[3][kRoom];
   alignas(64) std::uint32_t color[kRoom];
   alignas(64) float radiance[3][kRoom];  ///< only where asked for
   std::size_t count;                     ///< last, so that the arrays leave no gaps
 
+  CornerWeights weightsAt(std::size_t i) const
+  {
+    return {{weight[0] + i, weight[1] + i, weight[2] + i},
+            {rightWeight[0] + i, rightWeight[1] + i, rightWeight[2] + i},
+            {aboveWeight[0] + i, aboveWeight[1] + i, aboveWeight[2] + i}};
+  }
   /// Takes runs until full; returns the first that has no room, or FragmentRun::kNone.
   std::uint16_t take(const FragmentList& fragments, std::uint16_t run)
   {
@@ -344,8 +512,18 @@ class TriangleWeights {
     }
   }
 
+  void weigh(TriangleFragments& fragments, bool footprint) const
+  {
+    weighAside(fragments, 0, 0, fragments.weight);
+    if (!footprint) return;
+    weighAside(fragments, 1, 0, fragments.rightWeight);
+    weighAside(fragments, 0, 1, fragments.aboveWeight);
+  }
+
+ private:
   /// Edge values stay below 2^50, so every step in double is exact.
-  void weigh(TriangleFragments& fragments) const
+  void weighAside(const TriangleFragments& fragments, int right, int up,
+                  float (&weight)[3][TriangleFragments::kRoom]) const
   {
     const hn::ScalableTag<double> d;
     const hn::Rebind<float, decltype(d)> df;
@@ -353,8 +531,9 @@ class TriangleWeights {
     static_assert(kTileSide == 1 << 6, "a row of a tile is a shift");
     for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(d)) {
       const auto pixel = hn::Load(di, fragments.pixel + i);
-      const auto column = hn::PromoteTo(d, hn::And(pixel, hn::Set(di, kTileSide - 1)));
-      const auto row = hn::PromoteTo(d, hn::ShiftRight<6>(pixel));
+      const auto column =
+          hn::PromoteTo(d, hn::Add(hn::And(pixel, hn::Set(di, kTileSide - 1)), hn::Set(di, right)));
+      const auto row = hn::PromoteTo(d, hn::Add(hn::ShiftRight<6>(pixel), hn::Set(di, up)));
       const auto share = [&](int k) HWY_ATTR {
         const auto edge =
             hn::Add(hn::Set(d, first_[k]), hn::Add(hn::Mul(column, hn::Set(d, perColumn_[k])),
@@ -363,13 +542,12 @@ class TriangleWeights {
       };
       const auto s0 = share(0), s1 = share(1), s2 = share(2);
       const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
-      hn::Store(hn::Mul(s0, inverse), df, fragments.weight[0] + i);
-      hn::Store(hn::Mul(s1, inverse), df, fragments.weight[1] + i);
-      hn::Store(hn::Mul(s2, inverse), df, fragments.weight[2] + i);
+      hn::Store(hn::Mul(s0, inverse), df, weight[0] + i);
+      hn::Store(hn::Mul(s1, inverse), df, weight[1] + i);
+      hn::Store(hn::Mul(s2, inverse), df, weight[2] + i);
     }
   }
 
- private:
   double first_[3], perColumn_[3], perRow_[3];
   float inverseW_[3];
 };
@@ -380,8 +558,7 @@ void shadeFragments(Shader<TriangleLanes>& shader, TriangleFragments& fragments)
 {
   const hn::RebindToUnsigned<D> du;
   const auto colorAt = [&](std::size_t i) HWY_ATTR {
-    const Lanes3 color =
-        shader.colorAt(fragments.weight[0] + i, fragments.weight[1] + i, fragments.weight[2] + i);
+    const Lanes3 color = shader.colorAt(fragments.weightsAt(i));
     if constexpr (kHasRadiance) fragments.storeRadiance(radianceOf(color), i);
     return quantized(color);
   };
@@ -395,6 +572,7 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
                           const FragmentList& list, Span<const std::uint32_t> numbers,
                           const FragmentBatch& batch, TileColors& colors)
 {
+  const bool footprint = UvUse(*context.placed->instance).footprint;
   TriangleFragments fragments;
   for (std::size_t t = 0; t < numbers.size(); ++t) {
     if (batch.needsClip[t] != 0) continue;
@@ -405,7 +583,7 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
     while (run != FragmentRun::kNone) {
       const std::uint16_t first = run;
       run = fragments.take(list, run);
-      weights.weigh(fragments);
+      weights.weigh(fragments, footprint);
       if (colors.hasRadiance)
         shadeFragments<true>(shader, fragments);
       else

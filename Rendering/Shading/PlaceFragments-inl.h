@@ -22,6 +22,7 @@ class Gatherer {
         mesh_(placed.mesh()),
         data_(placed.instance->attributes),
         normals_(placed.instance->style.normals),
+        uv_(*placed.instance),
         batch_(batch)
   {
   }
@@ -32,7 +33,8 @@ class Gatherer {
     const auto count = static_cast<std::size_t>(batch_.count);
     for (std::size_t i = 0; i < count; i += hn::Lanes(DI()))
       findCorners(i);
-    const bool readsVertices = normals_ == NormalSource::kVertex || !data_.vertexColors.empty();
+    const bool readsVertices =
+        normals_ == NormalSource::kVertex || !data_.vertexColors.empty() || uv_.any();
     for (std::size_t i = 0; readsVertices && i < count; i += hn::Lanes(DI()))
       findVertices(i);
     for (std::size_t i = 0; i < count; i += hn::Lanes(DI()))
@@ -103,6 +105,8 @@ class Gatherer {
       storeVectors(data_.vertexNormals.data(), vertex, batch_.cornerNormal[k], i);
     if (!data_.vertexColors.empty())
       storeColor(data_.vertexColors.data(), vertex, batch_.cornerColor[k], i);
+    if (uv_.set[0]) storePairs(data_.uv.data(), vertex, batch_.cornerUv[0][k], i);
+    if (uv_.set[1]) storePairs(data_.uv2.data(), vertex, batch_.cornerUv[1][k], i);
   }
 
   static HWY_INLINE VI indices(const std::uint32_t* from, VI index)
@@ -120,6 +124,14 @@ class Gatherer {
     hn::Store(hn::GatherIndex(DF(), floats + 2, first), DF(), to.z + i);
   }
 
+  static HWY_INLINE void storePairs(const Vec2f* from, VI index, FragmentBatch::Pairs& to,
+                                    std::size_t i)
+  {
+    const VI first = hn::Add(index, index);
+    hn::Store(hn::GatherIndex(DF(), &from->x, first), DF(), to.x + i);
+    hn::Store(hn::GatherIndex(DF(), &from->y, first), DF(), to.y + i);
+  }
+
   static HWY_INLINE void storeColor(const Rgba8* from, VI index, FragmentBatch::Vectors& to,
                                     std::size_t i)
   {
@@ -134,6 +146,7 @@ class Gatherer {
   const ClusteredMesh& mesh_;
   const Attributes& data_;
   NormalSource normals_;
+  UvUse uv_;
   FragmentBatch& batch_;
   alignas(64) std::int32_t place_[FragmentBatch::kCapacity];
   alignas(64) std::int32_t corner_[3][FragmentBatch::kCapacity];
@@ -214,7 +227,7 @@ void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch)
 }
 
 /// Edge values in double: below 2^50, so every step but the last, to float, is exact.
-void weigh(bool mirrored, FragmentBatch& batch)
+void weigh(bool mirrored, bool footprint, FragmentBatch& batch)
 {
   const hn::ScalableTag<double> d;
   const hn::Rebind<float, decltype(d)> df;
@@ -239,15 +252,23 @@ void weigh(bool mirrored, FragmentBatch& batch)
     };
     const auto never = hn::Lt(px, px);
     const auto clockwise = hn::Lt(edge(0, 1, x[2], y[2], never), hn::Zero(d));
-    const auto share = [&](int k) HWY_ATTR {
-      return hn::Mul(hn::DemoteTo(df, edge((k + 1) % 3, (k + 2) % 3, px, py, clockwise)),
-                     hn::Load(df, batch.inverseW[k] + i));
+    const auto weighAt = [&](V atX, V atY, float(*weight)[FragmentBatch::kCapacity]) HWY_ATTR {
+      const auto share = [&](int k) HWY_ATTR {
+        return hn::Mul(hn::DemoteTo(df, edge((k + 1) % 3, (k + 2) % 3, atX, atY, clockwise)),
+                       hn::Load(df, batch.inverseW[k] + i));
+      };
+      const auto s0 = share(0), s1 = share(1), s2 = share(2);
+      const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
+      hn::Store(hn::Mul(s0, inverse), df, weight[0] + i);
+      hn::Store(hn::Mul(s1, inverse), df, weight[1] + i);
+      hn::Store(hn::Mul(s2, inverse), df, weight[2] + i);
     };
-    const auto s0 = share(0), s1 = share(1), s2 = share(2);
-    const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
-    hn::Store(hn::Mul(s0, inverse), df, batch.weight[0] + i);
-    hn::Store(hn::Mul(s1, inverse), df, batch.weight[1] + i);
-    hn::Store(hn::Mul(s2, inverse), df, batch.weight[2] + i);
+    weighAt(px, py, batch.weight);
+    if (footprint) {
+      const V pixel = hn::Set(d, double{kSubpixels});
+      weighAt(hn::Add(px, pixel), py, batch.rightWeight);
+      weighAt(px, hn::Add(py, pixel), batch.aboveWeight);
+    }
     const auto turned = hn::DemoteTo(df, hn::IfThenElseZero(clockwise, hn::Set(d, 1.0)));
     hn::Store(hn::IfThenElse(hn::Gt(turned, hn::Zero(df)), hn::Neg(outside), outside), df,
               batch.side + i);
@@ -272,14 +293,14 @@ void movePoints(const TileRectangle& pixels, FragmentBatch& batch)
 }
 
 void placeFragmentsKernel(const InstanceTransform& transform, const TileRectangle& pixels,
-                          FragmentBatch& batch)
+                          bool footprint, FragmentBatch& batch)
 {
   movePoints(pixels, batch);
   if (transform.precise)
     placeInDouble(transform, batch);
   else
     placeInFloat(transform, batch);
-  weigh(transform.mirrored, batch);
+  weigh(transform.mirrored, footprint, batch);
 }
 
 }  // namespace limn::HWY_NAMESPACE

@@ -30,10 +30,10 @@ void gatherFragments(const TileClusters& clusters, const PlacedInstance& placed,
   HWY_DYNAMIC_DISPATCH(gatherFragmentsKernel)(clusters, placed, batch);
 }
 
-void placeFragments(const InstanceTransform& transform, const TileRectangle& pixels,
+void placeFragments(const InstanceTransform& transform, const TileRectangle& pixels, bool footprint,
                     FragmentBatch& batch)
 {
-  HWY_DYNAMIC_DISPATCH(placeFragmentsKernel)(transform, pixels, batch);
+  HWY_DYNAMIC_DISPATCH(placeFragmentsKernel)(transform, pixels, footprint, batch);
 }
 
 }  // namespace limn

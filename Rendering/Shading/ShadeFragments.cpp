@@ -70,13 +70,10 @@ float shareAt(const OrientedTriangle& triangle, int i, ShadingPoint p)
   return static_cast<float>(triangle.edge[i].at(p.x, p.y)) * triangle.corner[i].inverseW;
 }
 
-/// placeFragments() of one fragment of a triangle that has to be clipped.
-void placeClipped(const PlacedCluster& cluster, const ClippedTriangle& polygon,
-                  FragmentBatch& batch, int i)
+/// The weights of the whole triangle's corners at a point of a piece.
+void weighPiece(const ClippedTriangle& polygon, const FanPiece& piece, ShadingPoint p,
+                float (&weight)[3][FragmentBatch::kCapacity], int i)
 {
-  const ShadingPoint p = {batch.pointX[i], batch.pointY[i]};
-  const FanPiece piece = pieceAt(polygon, *cluster.placed->instance, p);
-  batch.side[i] = piece.triangle.clockwise != cluster.placed->transform.mirrored ? -1.0f : 1.0f;
   const float share[3] = {shareAt(piece.triangle, 0, p), shareAt(piece.triangle, 1, p),
                           shareAt(piece.triangle, 2, p)};
   const float inverse = 1.0f / ((share[0] + share[1]) + share[2]);
@@ -85,7 +82,21 @@ void placeClipped(const PlacedCluster& cluster, const ClippedTriangle& polygon,
     const auto w = [&](int k) {
       return static_cast<float>(polygon.weight[piece.vertex[k]][corner]);
     };
-    batch.weight[corner][i] = (b[0] * w(0) + b[1] * w(1)) + b[2] * w(2);
+    weight[corner][i] = (b[0] * w(0) + b[1] * w(1)) + b[2] * w(2);
+  }
+}
+
+/// placeFragments() of one fragment of a triangle that has to be clipped.
+void placeClipped(const PlacedCluster& cluster, const ClippedTriangle& polygon, bool footprint,
+                  FragmentBatch& batch, int i)
+{
+  const ShadingPoint p = {batch.pointX[i], batch.pointY[i]};
+  const FanPiece piece = pieceAt(polygon, *cluster.placed->instance, p);
+  batch.side[i] = piece.triangle.clockwise != cluster.placed->transform.mirrored ? -1.0f : 1.0f;
+  weighPiece(polygon, piece, p, batch.weight, i);
+  if (footprint) {
+    weighPiece(polygon, piece, {p.x + kSubpixels, p.y}, batch.rightWeight, i);
+    weighPiece(polygon, piece, {p.x, p.y + kSubpixels}, batch.aboveWeight, i);
   }
 }
 
@@ -103,6 +114,7 @@ class BatchFiller {
         data_(placed.instance->attributes),
         flat_(placed.instance->style.frequency == ShadingFrequency::kFlat),
         normals_(placed.instance->style.normals),
+        uv_(*placed.instance),
         batch_(batch)
   {
   }
@@ -128,6 +140,8 @@ class BatchFiller {
       batch_.cornerNormal[k].set(i, data_.vertexNormals[vertex]);
     if (!data_.vertexColors.empty())
       batch_.cornerColor[k].set(i, bytes(data_.vertexColors[vertex]));
+    if (uv_.set[0]) batch_.cornerUv[0][k].set(i, data_.uv[vertex]);
+    if (uv_.set[1]) batch_.cornerUv[1][k].set(i, data_.uv2[vertex]);
   }
 
   void fillCell(std::uint32_t triangle, int i) const
@@ -149,6 +163,7 @@ class BatchFiller {
   const Attributes& data_;
   bool flat_;
   NormalSource normals_;
+  UvUse uv_;
   FragmentBatch& batch_;
 };
 
@@ -223,7 +238,7 @@ void FragmentShader::fillBatch(const TileClusters& clusters, const PlacedInstanc
       filler.fill(clusters.at(TileOwner::slot(batch_.owner[i])),
                   TileOwner::triangle(batch_.owner[i]), i);
   }
-  placeFragments(placed.transform, pixels, batch_);
+  placeFragments(placed.transform, pixels, UvUse(*placed.instance).footprint, batch_);
 }
 
 void FragmentShader::placeClippedFragments(const TileClusters& clusters)
@@ -235,7 +250,7 @@ void FragmentShader::placeClippedFragments(const TileClusters& clusters)
     if (batch_.owner[i] != clippedOwner_)
       clipped_ = clipClusterTriangle(cluster, TileOwner::triangle(batch_.owner[i]));
     clippedOwner_ = batch_.owner[i];
-    placeClipped(cluster, clipped_, batch_, i);
+    placeClipped(cluster, clipped_, UvUse(*cluster.placed->instance).footprint, batch_, i);
   }
 }
 
