@@ -101,6 +101,16 @@ TEST_P(EveryTarget, AppliesPostEffectsLikeTheReference)
   EXPECT_GT(brightPixels, 50000u) << "there must be colours above 1";
 }
 
+TEST_P(EveryTarget, TexturesLikeTheReference)
+{
+  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kTextures);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    ASSERT_EQ(drawn(random, {Backend::kPipeline, 2}).differingPixels(expected), 0u)
+        << "seed " << seed;
+  }
+}
+
 TEST_P(EveryTarget, ReflectsLikeTheReference)
 {
   for (std::uint32_t seed = 0; seed < 300; ++seed) {

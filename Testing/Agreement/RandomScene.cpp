@@ -204,6 +204,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (random.chance(4)) lights_ = {Light{}};
   placeCamera(random);
   if (detail == Detail::kReflections) addReflections();
+  if (detail == Detail::kTextures) addTextures();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -229,9 +230,11 @@ void RandomScene::addMesh(Random& random, Detail detail)
 {
   auto mesh = std::make_unique<OwnedMesh>();
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
-  std::vector<Vec3d> points = detail == Detail::kFine     ? makeBumpySphere(random, *mesh)
-                              : detail == Detail::kCoarse ? makeSheet(random, *mesh)
-                                                          : makeShape(random, shape, *mesh);
+  std::vector<Vec3d> points =
+      detail == Detail::kFine ? makeBumpySphere(random, *mesh)
+      : detail == Detail::kCoarse || (detail == Detail::kTextures && seed_ % 2 == 0)
+          ? makeSheet(random, *mesh)
+          : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
     points[random.below(static_cast<std::uint32_t>(points.size()))].y = kInfinity;
     points[random.below(static_cast<std::uint32_t>(points.size()))].z = std::nan("");
@@ -281,8 +284,16 @@ Instance RandomScene::instanceOf(Random& random, const OwnedMesh& mesh, std::uin
   Instance instance;
   instance.clusters = &mesh.clusters;
   instance.mesh = mesh.view();
-  instance.attributes = {mesh.vertexNormals,  mesh.cellNormals,  mesh.vertexColors, mesh.cellColors,
-                         mesh.faces.centroid, mesh.faces.normal, mesh.cells,        mesh.cellCount};
+  instance.attributes = {mesh.vertexNormals,
+                         mesh.cellNormals,
+                         mesh.vertexColors,
+                         mesh.cellColors,
+                         mesh.faces.centroid,
+                         mesh.faces.normal,
+                         mesh.cells,
+                         mesh.cellCount,
+                         {},
+                         {}};
   if (centre_ == Vec3d{0, 0, 0} && random.chance(2)) {
     const Vec3d move = random.inBox(0.5);
     instance.modelToWorld = {{{random.between(-1.5, 1.5), 0.2, 0, move.x},
@@ -319,6 +330,93 @@ Style RandomScene::randomStyle(Random& random, const OwnedMesh&)
   if (random.chance(4)) style.outlineThreshold = static_cast<float>(random.between(0, 0.4));
   style.outlineColor = random.color();
   return style;
+}
+
+void RandomScene::addImages(Random& random)
+{
+  constexpr int kImages = 4;
+  for (int n = 0; n < kImages; ++n) {
+    const int width = 1 + static_cast<int>(random.below(40));
+    const int height = 1 + static_cast<int>(random.below(40));
+    const int components = 1 + static_cast<int>(random.below(4));
+    const auto format = static_cast<TexelFormat>(random.below(3));
+    const auto count = static_cast<std::size_t>(width * height * components);
+    std::vector<std::uint8_t> bytes(count);
+    std::vector<std::uint16_t> words(count);
+    std::vector<float> floats(count);
+    for (std::size_t i = 0; i < count; ++i) {
+      bytes[i] = static_cast<std::uint8_t>(random.below(256));
+      words[i] = static_cast<std::uint16_t>(random.below(65536));
+      floats[i] = static_cast<float>(random.between(-0.2, 1.5));
+    }
+    TextureView view = {width, height, components, format, bytes.data(), count};
+    if (format == TexelFormat::kUnorm16) view.texels = words.data();
+    if (format == TexelFormat::kFloat32) view.texels = floats.data();
+    view.byteCount = count * (format == TexelFormat::kUnorm8    ? 1
+                              : format == TexelFormat::kUnorm16 ? 2
+                                                                : 4);
+    images_.push_back(std::make_unique<TextureImage>());
+    if (!images_.back()->build(view, MipChain::kFull).ok()) std::abort();
+  }
+  for (std::uint32_t n = 0; n < 6; ++n) {
+    ProceduralTexture procedural;
+    procedural.kind = static_cast<ProceduralKind>(n % 3);
+    procedural.space = n < 3 ? ProceduralSpace::kUv : ProceduralSpace::kObject;
+    procedural.scale = static_cast<float>(random.between(0.5, 9));
+    procedural.turbulence = static_cast<float>(random.chance(2) ? 0 : random.between(0, 2));
+    procedurals_.push_back(procedural);
+  }
+}
+
+TextureLayer RandomScene::randomLayer(Random& random) const
+{
+  TextureLayer layer;
+  layer.role = static_cast<TextureRole>(random.below(5));
+  if (layer.bendsNormals() || !random.chance(4))
+    layer.image = images_[random.below(static_cast<std::uint32_t>(images_.size()))].get();
+  else
+    layer.procedural = &procedurals_[random.below(static_cast<std::uint32_t>(procedurals_.size()))];
+  layer.sampler.wrapU = static_cast<TextureWrap>(random.below(4));
+  layer.sampler.wrapV = static_cast<TextureWrap>(random.below(4));
+  layer.sampler.filter = static_cast<TextureFilter>(random.below(3));
+  layer.sampler.maxAnisotropy = random.chance(2) ? 1 : 1 + static_cast<int>(random.below(16));
+  const Vec3f border = random.color();
+  layer.sampler.borderColor = {border.x, border.y, border.z, 0.5f};
+  layer.uvSet = static_cast<int>(random.below(2));
+  if (random.chance(2))
+    for (float& value : layer.uvTransform)
+      value = static_cast<float>(random.between(-2, 2));
+  layer.mode = static_cast<TextureMode>(random.below(4));
+  layer.amount = static_cast<float>(random.between(-1, 2));
+  layer.onBackFaces = !random.chance(3);
+  return layer;
+}
+
+void RandomScene::addTextures()
+{
+  Random random(seed_ ^ 0x68E31DA4u);
+  addImages(random);
+  for (const auto& mesh : meshes_) {
+    const std::size_t vertices = mesh->view().vertexCount();
+    const double spread = random.chance(4) ? 1e5 : random.between(0.5, 8);
+    for (std::vector<Vec2f>* uv : {&mesh->uv, &mesh->uv2})
+      for (std::size_t v = 0; v < vertices; ++v)
+        uv->push_back({static_cast<float>(random.between(-spread, spread)),
+                       static_cast<float>(random.between(-spread, spread))});
+    if (random.chance(5)) mesh->uv[0] = {std::nanf(""), static_cast<float>(kInfinity)};
+  }
+  for (Instance& instance : instances_) {
+    for (const auto& mesh : meshes_) {
+      if (instance.clusters != &mesh->clusters) continue;
+      instance.attributes.uv = mesh->uv;
+      instance.attributes.uv2 = mesh->uv2;
+    }
+    layers_.emplace_back();
+    const std::uint32_t count = 1 + random.below(3);
+    for (std::uint32_t i = 0; i < count; ++i)
+      layers_.back().push_back(randomLayer(random));
+    instance.layers = layers_.back();
+  }
 }
 
 void RandomScene::addReflections()

@@ -42,6 +42,7 @@ struct OwnedMesh {
   std::vector<Triangle> triangles;
   std::vector<Vec3f> vertexNormals, cellNormals;
   std::vector<Rgba8> vertexColors, cellColors;
+  std::vector<Vec2f> uv, uv2;
   std::vector<std::uint32_t> cells;
   std::size_t cellCount = 0;
   FaceGeometry faces;
@@ -78,6 +79,7 @@ class RandomScene {
     kCoarse,       ///< some triangles that fill the picture, half of them matt, half with outlines
     kPost,         ///< kAny with bright lights and post effects
     kReflections,  ///< as kAny, with every reflection model and its values
+    kTextures,     ///< as kAny or kCoarse, with textures of all kinds
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -92,8 +94,11 @@ class RandomScene {
   void addMesh(Random& random, Detail detail);
   void addAttributes(Random& random, OwnedMesh& mesh);
   Instance instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id, Detail detail);
-  /// Of a stream of its own: the other scenes stay as they are.
+  // Of streams of their own: the other scenes stay as they are.
   void addReflections();
+  void addTextures();
+  void addImages(Random& random);
+  TextureLayer randomLayer(Random& random) const;
   Style randomStyle(Random& random, const OwnedMesh& mesh);
   Light randomLight(Random& random);
   void placeCamera(Random& random);
@@ -103,6 +108,9 @@ class RandomScene {
   int width_, height_;
   Vec3d centre_;
   std::vector<std::unique_ptr<OwnedMesh>> meshes_;
+  std::vector<std::unique_ptr<TextureImage>> images_;
+  std::vector<ProceduralTexture> procedurals_;
+  std::vector<std::vector<TextureLayer>> layers_;  ///< by instance
   std::vector<Instance> instances_;
   std::vector<Light> lights_;
   Scene scene_;

@@ -21,6 +21,7 @@ using testing::RandomScene;
 
 constexpr std::uint64_t kHashOfScenes = 4481409563840940949u;
 constexpr std::uint64_t kHashOfReflections = 2261506406569148229u;
+constexpr std::uint64_t kHashOfTextures = 9798472357376810376u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 
 /// FNV-1a, 64 bits.
@@ -98,6 +99,13 @@ TEST_P(SameBytes, ReflectionsHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kReflections);
   std::cout << "kHashOfReflections " << hash << '\n';
   EXPECT_EQ(hash, kHashOfReflections);
+}
+
+TEST_P(SameBytes, TexturesHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kTextures);
+  std::cout << "kHashOfTextures " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfTextures);
 }
 
 TEST_P(SameBytes, PostEffectsHaveTheKnownHash)
