@@ -137,7 +137,8 @@ struct Attributes {
   Span<const Vec3f> faceNormals;    ///< FaceGeometry, per cell
   Span<const std::uint32_t> cells;  ///< cell of each triangle; empty: triangle t is cell t
   std::size_t cellCount = 0;        ///< with `cells`: required to be above every one of them
-  Span<const Vec2f> uv, uv2;        ///< per vertex; one that is not finite counts as 0
+  /// Texture coordinates, per vertex; one that is not finite counts as 0.
+  Span<const Vec2f> uv = {}, uv2 = {};
 };
 
 /// One mesh in the world. Draw order is the order in Scene::instances, then of the triangles.

@@ -284,16 +284,8 @@ Instance RandomScene::instanceOf(Random& random, const OwnedMesh& mesh, std::uin
   Instance instance;
   instance.clusters = &mesh.clusters;
   instance.mesh = mesh.view();
-  instance.attributes = {mesh.vertexNormals,
-                         mesh.cellNormals,
-                         mesh.vertexColors,
-                         mesh.cellColors,
-                         mesh.faces.centroid,
-                         mesh.faces.normal,
-                         mesh.cells,
-                         mesh.cellCount,
-                         {},
-                         {}};
+  instance.attributes = {mesh.vertexNormals,  mesh.cellNormals,  mesh.vertexColors, mesh.cellColors,
+                         mesh.faces.centroid, mesh.faces.normal, mesh.cells,        mesh.cellCount};
   if (centre_ == Vec3d{0, 0, 0} && random.chance(2)) {
     const Vec3d move = random.inBox(0.5);
     instance.modelToWorld = {{{random.between(-1.5, 1.5), 0.2, 0, move.x},
