@@ -170,12 +170,28 @@ Status checkLayer(const TextureLayer& layer, const Attributes& attributes, const
   return {};
 }
 
+/// Of texture i.
+Status checkJoin(Span<const TextureLayer> layers, std::size_t i, const std::string& name)
+{
+  if (layers[i].join == TextureJoin::kNone) return {};
+  if (i == 0)
+    return {Error::kMissingData, name + " is joined with the texture before it; there is none."};
+  if (layers[i].bendsNormals() || layers[i - 1].role != layers[i].role)
+    return {Error::kMissingData,
+            name +
+                " is joined with one of another role, or bends normals; only colours of the "
+                "same role can be joined."};
+  return {};
+}
+
 Status checkLayers(const Instance& instance, InstanceName name)
 {
   for (std::size_t i = 0; i < instance.layers.size(); ++i) {
     const std::string text = ": texture " + std::to_string(i);
     if (Status status = checkLayer(instance.layers[i], instance.attributes, name + text.c_str());
         !status.ok())
+      return status;
+    if (Status status = checkJoin(instance.layers, i, name + text.c_str()); !status.ok())
       return status;
   }
   return {};

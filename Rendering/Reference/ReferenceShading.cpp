@@ -317,12 +317,22 @@ class Face {
   bool shows(const TextureLayer& layer) const { return layer.onBackFaces || !point_.backFacing; }
   /// The texture's colour here.
   Vec4f sample(const TextureLayer& layer) const { return sampleLayer(layer, texturePoint(layer)); }
+  /// The colour of a texture and of those that are joined with it.
+  Vec4f sampleJoined(const TextureLayer& first) const
+  {
+    Vec4f color = sample(first);
+    for (const TextureLayer* next = &first + 1;
+         next != instance_.layers.end() && next->join != TextureJoin::kNone; ++next)
+      color = joined(next->join, color, sample(*next));
+    return color;
+  }
   /// k_a and k_d under the textures of kSurface.
   void dress(Surface& s) const
   {
     for (const TextureLayer& layer : instance_.layers) {
-      if (layer.role != TextureRole::kSurface || !shows(layer)) continue;
-      const Vec4f texture = sample(layer);
+      if (layer.role != TextureRole::kSurface || layer.join != TextureJoin::kNone || !shows(layer))
+        continue;
+      const Vec4f texture = sampleJoined(layer);
       s.ambient = combine(layer.mode, s.ambient, texture, instance_.material.ambient);
       s.diffuse = combine(layer.mode, s.diffuse, texture, instance_.material.diffuse);
     }
@@ -461,14 +471,14 @@ Vec3f finish(const Face& face, const Instance& instance, Vec3f diffuse, Vec3f co
   const Style& style = instance.style;
   const bool isLit = style.tone == Tone::kNone && style.reflection != Reflection::kNone;
   for (const TextureLayer& layer : instance.layers) {
-    if (!face.shows(layer)) continue;
+    if (layer.join != TextureJoin::kNone || !face.shows(layer)) continue;
     const bool isShaded =
         layer.role == TextureRole::kShaded ||
         (layer.role == TextureRole::kSurface && style.frequency == ShadingFrequency::kGouraud);
     if (isShaded) {
-      color = combine(layer.mode, color, face.sample(layer), 1.0f);
+      color = combine(layer.mode, color, face.sampleJoined(layer), 1.0f);
     } else if (layer.role == TextureRole::kLight && isLit) {
-      const Vec4f t = face.sample(layer);
+      const Vec4f t = face.sampleJoined(layer);
       color = color + (diffuse * layer.amount) * Vec3f{t.x, t.y, t.z};
     }
   }

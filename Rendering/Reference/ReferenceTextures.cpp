@@ -30,6 +30,28 @@ Vec3f combine(TextureMode mode, Vec3f color, Vec4f texture, float k)
   }
 }
 
+Vec4f joined(TextureJoin join, Vec4f before, Vec4f next)
+{
+  const Vec3f c = {before.x, before.y, before.z}, t = {next.x, next.y, next.z};
+  const float b = before.w, a = next.w;
+  const auto make = [](Vec3f color, float alpha) {
+    return Vec4f{color.x, color.y, color.z, alpha};
+  };
+  constexpr Vec3f kHalf = {0.5f, 0.5f, 0.5f};
+  switch (join) {
+    case TextureJoin::kReplace:
+      return make(t * a + c * (1.0f - a), a + b * (1.0f - a));
+    case TextureJoin::kModulate:
+      return make(c * t, b * a);
+    case TextureJoin::kAdd:
+      return make(t * a + c * b, b + a);
+    case TextureJoin::kAddSigned:
+      return make(t * a + c * b - kHalf, b + a - 0.5f);
+    default:
+      return make(c - t * a, b);
+  }
+}
+
 TangentFrame tangentFrame(Vec3f edge1, Vec3f edge2, const Vec2f (&uv)[3])
 {
   const Vec2f d1 = uv[1] - uv[0], d2 = uv[2] - uv[0];

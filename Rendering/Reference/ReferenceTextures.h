@@ -17,6 +17,9 @@ Vec4f sampleLayer(const TextureLayer& layer, const TexturePoint& point);
 /// TextureMode, with k the weight of the texture's colour.
 Vec3f combine(TextureMode mode, Vec3f color, Vec4f texture, float k);
 
+/// TextureJoin of the textures so far and the next.
+Vec4f joined(TextureJoin join, Vec4f before, Vec4f next);
+
 /// The unit directions of a triangle in which u and v grow; zero where they do not grow.
 struct TangentFrame {
   Vec3f u, v;

@@ -27,6 +27,31 @@ HWY_INLINE Lanes3 combine(TextureMode mode, Lanes3 color, Lanes4 texture, float 
   }
 }
 
+/// TextureJoin of the textures so far and the next.
+HWY_INLINE Lanes4 joined(TextureJoin join, Lanes4 before, Lanes4 next)
+{
+  const Lanes3 c = {before.x, before.y, before.z}, t = {next.x, next.y, next.z};
+  const V b = before.w, a = next.w;
+  const auto make = [](Lanes3 color, V alpha) HWY_ATTR {
+    return Lanes4{color.x, color.y, color.z, alpha};
+  };
+  const V half = set(0.5f);
+  const V rest = hn::Sub(set(1.0f), a);
+  switch (join) {
+    case TextureJoin::kReplace:
+      return make(add(mul(t, a), mul(c, rest)), hn::Add(a, hn::Mul(b, rest)));
+    case TextureJoin::kModulate:
+      return make(mul(c, t), hn::Mul(b, a));
+    case TextureJoin::kAdd:
+      return make(add(mul(t, a), mul(c, b)), hn::Add(b, a));
+    case TextureJoin::kAddSigned:
+      return make(sub(add(mul(t, a), mul(c, b)), Lanes3{half, half, half}),
+                  hn::Sub(hn::Add(b, a), half));
+    default:
+      return make(sub(c, mul(t, a)), b);
+  }
+}
+
 /// Where the weights of the corners are, by fragment: those at it, and a pixel to the right and
 /// above. The latter are there if UvUse::footprint.
 struct CornerWeights {
@@ -125,6 +150,15 @@ class FragmentLanes {
     const Lanes2 uv = texturePoint(layer).uv;
     return proceduralColor(*layer.procedural, {uv.x, uv.y, set(0.0f)});
   }
+  /// The colour of a texture and of those that are joined with it.
+  Lanes4 sampleJoined(const TextureLayer& first) const
+  {
+    Lanes4 color = sample(first);
+    for (const TextureLayer* next = &first + 1;
+         next != instance_.layers.end() && next->join != TextureJoin::kNone; ++next)
+      color = joined(next->join, color, sample(*next));
+    return color;
+  }
   /// `yes` but for fragments seen from inside, if the texture is not for these.
   HWY_INLINE Lanes3 whereShown(const TextureLayer& layer, Lanes3 yes, Lanes3 no) const
   {
@@ -134,8 +168,8 @@ class FragmentLanes {
   void dress(Surface& s) const
   {
     for (const TextureLayer& layer : instance_.layers) {
-      if (layer.role != TextureRole::kSurface) continue;
-      const Lanes4 texture = sample(layer);
+      if (layer.role != TextureRole::kSurface || layer.join != TextureJoin::kNone) continue;
+      const Lanes4 texture = sampleJoined(layer);
       const Material& m = instance_.material;
       s.ambient = whereShown(layer, combine(layer.mode, s.ambient, texture, m.ambient), s.ambient);
       s.diffuse = whereShown(layer, combine(layer.mode, s.diffuse, texture, m.diffuse), s.diffuse);
@@ -337,14 +371,15 @@ class Shader {
   {
     const bool isLit = style_.tone == Tone::kNone && style_.reflection != Reflection::kNone;
     for (const TextureLayer& layer : layers_) {
+      if (layer.join != TextureJoin::kNone) continue;
       const bool isShaded =
           layer.role == TextureRole::kShaded ||
           (layer.role == TextureRole::kSurface && style_.frequency == ShadingFrequency::kGouraud);
       if (isShaded) {
-        color =
-            lanes_.whereShown(layer, combine(layer.mode, color, lanes_.sample(layer), 1.0f), color);
+        const Lanes4 t = lanes_.sampleJoined(layer);
+        color = lanes_.whereShown(layer, combine(layer.mode, color, t, 1.0f), color);
       } else if (layer.role == TextureRole::kLight && isLit) {
-        const Lanes4 t = lanes_.sample(layer);
+        const Lanes4 t = lanes_.sampleJoined(layer);
         const Lanes3 more = mul(mul(diffuse, set(layer.amount)), Lanes3{t.x, t.y, t.z});
         color = lanes_.whereShown(layer, add(color, more), color);
       }

@@ -34,6 +34,17 @@ enum class TextureMode : std::uint8_t {
   kAdd,       ///< c + k t
 };
 
+/// How a texture's colour t and alpha a are joined with c and b, those of the texture before it in
+/// the list, so that both together are put over the surface as one: the blending of VTK's textures.
+enum class TextureJoin : std::uint8_t {
+  kNone,       ///< it stands by itself
+  kReplace,    ///< t a + c (1 - a), alpha a + b (1 - a)
+  kModulate,   ///< c t, alpha b a
+  kAdd,        ///< t a + c b, alpha b + a
+  kAddSigned,  ///< t a + c b - 1/2, alpha b + a - 1/2
+  kSubtract,   ///< c - t a, alpha b
+};
+
 /// One texture of an instance. Normals are bent with the frequency kPhong alone.
 struct TextureLayer {
   // One of these two, and it has to outlive render():
@@ -45,6 +56,9 @@ struct TextureLayer {
   float uvTransform[6] = {1, 0, 0, 0, 1, 0};
   TextureRole role = TextureRole::kShaded;
   TextureMode mode = TextureMode::kModulate;
+  /// Not kNone: `role`, `mode`, `amount` and `onBackFaces` are those of the first texture that it
+  /// is joined with. Not for textures that bend normals.
+  TextureJoin join = TextureJoin::kNone;
   /// kLight: t times this; kNormal: its x and y; kBump: the heights.
   float amount = 1;
   bool onBackFaces = true;  ///< false: surfaces seen from inside are drawn without

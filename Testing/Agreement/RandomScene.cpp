@@ -384,6 +384,18 @@ TextureLayer RandomScene::randomLayer(Random& random) const
   return layer;
 }
 
+/// Some with the one before them.
+void RandomScene::joinTextures()
+{
+  Random random(seed_ ^ 0x1B56C4E9u);
+  for (std::vector<TextureLayer>& layers : layers_)
+    for (std::size_t i = 1; i < layers.size(); ++i) {
+      if (layers[i].bendsNormals() || layers[i - 1].bendsNormals() || random.chance(2)) continue;
+      layers[i].role = layers[i - 1].role;
+      layers[i].join = static_cast<TextureJoin>(1 + random.below(5));
+    }
+}
+
 void RandomScene::addTextures()
 {
   Random random(seed_ ^ 0x68E31DA4u);
@@ -409,6 +421,7 @@ void RandomScene::addTextures()
       layers_.back().push_back(randomLayer(random));
     instance.layers = layers_.back();
   }
+  joinTextures();
 }
 
 void RandomScene::addReflections()

@@ -97,6 +97,7 @@ class RandomScene {
   // Of streams of their own: the other scenes stay as they are.
   void addReflections();
   void addTextures();
+  void joinTextures();
   void addImages(Random& random);
   TextureLayer randomLayer(Random& random) const;
   Style randomStyle(Random& random, const OwnedMesh& mesh);

@@ -21,7 +21,7 @@ using testing::RandomScene;
 
 constexpr std::uint64_t kHashOfScenes = 4481409563840940949u;
 constexpr std::uint64_t kHashOfReflections = 2261506406569148229u;
-constexpr std::uint64_t kHashOfTextures = 9798472357376810376u;
+constexpr std::uint64_t kHashOfTextures = 6601808570278293167u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 
 /// FNV-1a, 64 bits.

@@ -121,6 +121,63 @@ TEST_P(TexturedSurfaces, AreCombinedByTheirModes)
     }
 }
 
+TEST_P(TexturedSurfaces, AreJoinedBeforeTheyArePutOver)
+{
+  const Vec3d surface = {0.55, 1, 0.7};
+  const Vec3d c = {0.8, 0.4, 0.2}, t = {0.2, 1, 0.6};
+  const double b = 204 / 255.0, a = 102 / 255.0;
+  const Vec3d half = {0.5, 0.5, 0.5};
+  // As a decal they show their common alpha, too.
+  const struct {
+    TextureJoin join;
+    Vec3d color;
+    double alpha;
+  } cases[] = {{TextureJoin::kReplace, t * a + c * (1 - a), a + b * (1 - a)},
+               {TextureJoin::kModulate, c * t, b * a},
+               {TextureJoin::kAdd, t * a + c * b, b + a},
+               {TextureJoin::kAddSigned, t * a + c * b - half, b + a - 0.5},
+               {TextureJoin::kSubtract, c - t * a, b}};
+  for (const auto& one : cases)
+    for (const bool showsAlpha : {false, true}) {
+      Board board;
+      board.instance().material.diffuseColor = vec3Cast<float>(surface);
+      board.load(1, 1, 4, {204, 102, 51, 204});
+      TextureImage next;
+      const std::uint8_t bytes[] = {51, 255, 153, 102};
+      ASSERT_TRUE(
+          next.build({1, 1, 4, TexelFormat::kUnorm8, bytes, sizeof bytes}, MipChain::kNone).ok());
+      board.add(TextureRole::kShaded, showsAlpha ? TextureMode::kDecal : TextureMode::kModulate);
+      TextureLayer& second = board.add(TextureRole::kShaded);
+      second.image = &next;
+      second.join = one.join;
+      const Vec3d decal = surface + (one.color - surface) * one.alpha;
+      const Vec3d shown = showsAlpha ? decal : surface * one.color;
+      const auto bounded = [](double v) { return v < 0 ? 0 : v > 1 ? 1 : v; };
+      expectColor(board.draw(GetParam()), 9, 9,
+                  {bounded(shown.x), bounded(shown.y), bounded(shown.z)});
+    }
+}
+
+TEST_P(TexturedSurfaces, AreJoinedWithOneOfTheirRoleOnly)
+{
+  const auto complaint = [&](TextureRole first, TextureRole second) {
+    Board board;
+    board.load(1, 1, 1, {0});
+    board.add(first).join = first == second ? TextureJoin::kAdd : TextureJoin::kNone;
+    board.add(second).join = TextureJoin::kAdd;
+    board.instance().layers = board.layers;
+    Picture picture(kSide, kSide);
+    RenderOptions options;
+    options.backend = GetParam();
+    return render(board.stage.scene(), picture.frame(Background::kBlend), options).message;
+  };
+  EXPECT_EQ(complaint(TextureRole::kShaded, TextureRole::kShaded),
+            "Instance 0: texture 0 is joined with the texture before it; there is none.");
+  EXPECT_EQ(complaint(TextureRole::kShaded, TextureRole::kSurface),
+            "Instance 0: texture 1 is joined with one of another role, or bends normals; only "
+            "colours of the same role can be joined.");
+}
+
 TEST_P(TexturedSurfaces, DressTheSurfaceBeforeItIsLit)
 {
   // The highlight is not textured, unless the texture comes last.
