@@ -15,6 +15,12 @@
 
 namespace
 {
+bool HasDecal(vtkActor* actor)
+{
+  vtkLimnProperty* property = vtkLimnProperty::SafeDownCast(actor->GetProperty());
+  return property && property->GetTextureMode() == vtkLimnProperty::TEXTURE_DECAL;
+}
+
 bool IsInLimnWindow(vtkViewport* viewport)
 {
   return vtkLimnRenderWindow::SafeDownCast(viewport->GetVTKWindow()) != nullptr;
@@ -62,6 +68,26 @@ void vtkLimnActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 {
   limn::bridge::renderMapper(renderer, this, mapper);
   this->EstimatedRenderTime += mapper->GetTimeToDraw();
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkLimnActor::HasOpaqueGeometry()
+{
+  vtkTexture* texture = this->Texture;
+  this->Texture = HasDecal(this) ? nullptr : texture;
+  const vtkTypeBool isOpaque = this->Superclass::HasOpaqueGeometry();
+  this->Texture = texture;
+  return isOpaque;
+}
+
+//------------------------------------------------------------------------------
+vtkTypeBool vtkLimnActor::HasTranslucentPolygonalGeometry()
+{
+  vtkTexture* texture = this->Texture;
+  this->Texture = HasDecal(this) ? nullptr : texture;
+  const vtkTypeBool isTranslucent = this->Superclass::HasTranslucentPolygonalGeometry();
+  this->Texture = texture;
+  return isTranslucent;
 }
 
 //------------------------------------------------------------------------------

@@ -34,6 +34,14 @@ public:
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
   ///@}
 
+  ///@{
+  /**
+   * As vtkActor's, but the alpha of a texture that is a decal lets nothing through.
+   */
+  vtkTypeBool HasOpaqueGeometry() override;
+  vtkTypeBool HasTranslucentPolygonalGeometry() override;
+  ///@}
+
   vtkProperty* MakeProperty() override;
 
   /**

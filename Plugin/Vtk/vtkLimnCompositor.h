@@ -62,8 +62,8 @@ public:
 
   /**
    * Draws an actor with the backend's own mapper, as if Limn were not there: same input, lookup
-   * table, property, texture and matrix. For translucent, wireframe, point, line and textured
-   * actors, for hardware selection, and for all actors of a renderer with render passes.
+   * table, property, texture and matrix. For translucent, wireframe, point and line actors, for
+   * hardware selection, and for all actors of a renderer with render passes.
    */
   virtual void RenderWithBackend(
     vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* mapper) = 0;

@@ -117,7 +117,7 @@ void vtkLimnHardwareSelector::DrawIds()
   for (const SelectedSurface& surface : selected.Surfaces)
   {
     limn::Instance instance;
-    if (limn::bridge::describe(surface.Surface, instance))
+    if (limn::bridge::describe(surface.Surface, instance, nullptr))
     {
       instance.id = static_cast<std::uint32_t>(instances.size());
       instances.push_back(instance);

@@ -4,12 +4,13 @@
  * @class   vtkLimnPolyDataMapper
  * @brief   draws the surface of polygonal data by Limn's rasterizer
  *
- * Polygons and triangle strips, opaque, as a surface, coloured by the property or by scalars. All
+ * Polygons and triangle strips, opaque, as a surface, coloured by the property, by scalars or by
+ * textures. All
  * such actors of a renderer are drawn together, by all cores of the CPU. What is prepared for the
  * geometry is kept until points or cells change; colours are mapped anew only if scalars or the
  * lookup table do.
  *
- * What Limn does not draw yet (translucent actors, wireframe, points, lines, textures, ...) is
+ * What Limn does not draw yet (translucent actors, wireframe, points, lines, ...) is
  * drawn by the window's own backend in an OpenGL window. In a vtkLimnRenderWindow a warning says
  * once what is missing.
  *

@@ -3,6 +3,10 @@
 #include "vtkLimnProperty.h"
 
 #include "vtkObjectFactory.h"
+#include "vtkTexture.h"
+
+#include <map>
+#include <string>
 
 namespace
 {
@@ -19,6 +23,16 @@ void PrintVector(ostream& os, const char* name, const double vector[3])
 }
 
 vtkStandardNewMacro(vtkLimnProperty);
+vtkCxxSetObjectMacro(vtkLimnProperty, LightmapTexture, vtkTexture);
+vtkCxxSetObjectMacro(vtkLimnProperty, BumpTexture, vtkTexture);
+
+//------------------------------------------------------------------------------
+vtkLimnProperty::~vtkLimnProperty()
+{
+  this->SetLightmapTexture(nullptr);
+  this->SetLightmapTCoords(nullptr);
+  this->SetBumpTexture(nullptr);
+}
 
 //------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetShadingFrequencyAsString()
@@ -75,9 +89,54 @@ const char* vtkLimnProperty::GetOutlineAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetTextureRoleAsString()
+{
+  static const char* const names[] = { "Shaded", "Surface" };
+  return names[this->TextureRole];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetTextureModeAsString()
+{
+  static const char* const names[] = { "Modulate", "Replace", "Decal", "Add" };
+  return names[this->TextureMode];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetProceduralTextureAsString()
+{
+  static const char* const names[] = { "None", "Checker", "Wood", "Marble" };
+  return names[this->ProceduralTexture];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetProceduralSpaceAsString()
+{
+  static const char* const names[] = { "Object", "Uv" };
+  return names[this->ProceduralSpace];
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::CopyWithTextures(vtkProperty* property)
+{
+  // VTK 9.1 copies pointers to textures without counting them.
+  std::map<std::string, vtkTexture*> textures;
+  property->GetAllTextures().swap(textures);
+  this->Superclass::DeepCopy(property);
+  property->GetAllTextures().swap(textures);
+  for (const auto& texture : property->GetAllTextures())
+  {
+    this->SetTexture(texture.first.c_str(), texture.second);
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkLimnProperty::DeepCopy(vtkProperty* property)
 {
-  this->Superclass::DeepCopy(property);
+  if (property)
+  {
+    this->CopyWithTextures(property);
+  }
   vtkLimnProperty* other = vtkLimnProperty::SafeDownCast(property);
   if (!other)
   {
@@ -98,6 +157,19 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetOutline(other->Outline);
   this->SetOutlineThreshold(other->OutlineThreshold);
   this->SetOutlineColor(other->OutlineColor);
+  this->SetTextureRole(other->TextureRole);
+  this->SetTextureMode(other->TextureMode);
+  this->SetProceduralTexture(other->ProceduralTexture);
+  this->SetProceduralSpace(other->ProceduralSpace);
+  this->SetProceduralColorA(other->ProceduralColorA);
+  this->SetProceduralColorB(other->ProceduralColorB);
+  this->SetProceduralScale(other->ProceduralScale);
+  this->SetProceduralTurbulence(other->ProceduralTurbulence);
+  this->SetLightmapTexture(other->LightmapTexture);
+  this->SetLightmapIntensity(other->LightmapIntensity);
+  this->SetLightmapTCoords(other->LightmapTCoords);
+  this->SetBumpTexture(other->BumpTexture);
+  this->SetBumpScale(other->BumpScale);
 }
 
 //------------------------------------------------------------------------------
@@ -124,4 +196,20 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutlineThreshold: " << this->OutlineThreshold << "\n";
   os << indent;
   PrintVector(os, "OutlineColor", this->OutlineColor);
+  os << indent << "TextureRole: " << this->GetTextureRoleAsString() << "\n";
+  os << indent << "TextureMode: " << this->GetTextureModeAsString() << "\n";
+  os << indent << "ProceduralTexture: " << this->GetProceduralTextureAsString() << "\n";
+  os << indent << "ProceduralSpace: " << this->GetProceduralSpaceAsString() << "\n";
+  os << indent;
+  PrintVector(os, "ProceduralColorA", this->ProceduralColorA);
+  os << indent;
+  PrintVector(os, "ProceduralColorB", this->ProceduralColorB);
+  os << indent << "ProceduralScale: " << this->ProceduralScale << "\n";
+  os << indent << "ProceduralTurbulence: " << this->ProceduralTurbulence << "\n";
+  os << indent << "LightmapTexture: " << this->LightmapTexture << "\n";
+  os << indent << "LightmapIntensity: " << this->LightmapIntensity << "\n";
+  os << indent << "LightmapTCoords: " << (this->LightmapTCoords ? this->LightmapTCoords : "(none)")
+     << "\n";
+  os << indent << "BumpTexture: " << this->BumpTexture << "\n";
+  os << indent << "BumpScale: " << this->BumpScale << "\n";
 }

@@ -6,8 +6,9 @@
  *
  * An ordinary vtkProperty until one of its own settings is changed: with all of them at their
  * defaults a surface looks as VTK's OpenGL shaders draw it. ShadingFrequency and ReflectionModel
- * choose when and how light is computed, Tone replaces the diffuse shades by a colour scale, and
- * Outline darkens the surface where it turns away from the viewer.
+ * choose when and how light is computed, Tone replaces the diffuse shades by a colour scale,
+ * Outline darkens the surface where it turns away from the viewer, and textures can do more than
+ * vtkTexture's own way of multiplying the lit colour.
  *
  * Only Limn's mapper reads these settings. n is the surface normal, l points towards the light, v
  * towards the eye, h halfway between them, r along the reflected ray; all are unit vectors.
@@ -21,6 +22,8 @@
 
 #include "vtkLimnModule.h" // for export macro
 #include "vtkProperty.h"
+
+class vtkTexture;
 
 class VTKLIMN_EXPORT vtkLimnProperty : public vtkProperty
 {
@@ -200,6 +203,133 @@ public:
   vtkGetVector3Macro(OutlineColor, double);
   ///@}
 
+  enum TextureRoles
+  {
+    TEXTURE_SHADED = 0,
+    TEXTURE_SURFACE
+  };
+
+  ///@{
+  /**
+   * What the actor's texture, this property's textures by names of the user's choice and the
+   * procedural texture change. Shaded, the default, as VTK: the colour after light, highlights
+   * too. Surface: ambient and diffuse colour, k_a and k_d, before light is computed; with the
+   * frequency Gouraud, which lights corners, as Shaded.
+   */
+  vtkSetClampMacro(TextureRole, int, TEXTURE_SHADED, TEXTURE_SURFACE);
+  vtkGetMacro(TextureRole, int);
+  void SetTextureRoleToShaded() { this->SetTextureRole(TEXTURE_SHADED); }
+  void SetTextureRoleToSurface() { this->SetTextureRole(TEXTURE_SURFACE); }
+  const char* GetTextureRoleAsString();
+  ///@}
+
+  enum TextureModes
+  {
+    TEXTURE_MODULATE = 0,
+    TEXTURE_REPLACE,
+    TEXTURE_DECAL,
+    TEXTURE_ADD
+  };
+
+  ///@{
+  /**
+   * How these textures are put over a colour c, with t the texture's colour and a its alpha.
+   * Modulate, the default, as VTK: c t. Replace: t. Decal: c + (t - c) a. Add: c + t. For the role
+   * Surface t is weighted by Ambient or Diffuse where it is not a factor.
+   */
+  vtkSetClampMacro(TextureMode, int, TEXTURE_MODULATE, TEXTURE_ADD);
+  vtkGetMacro(TextureMode, int);
+  void SetTextureModeToModulate() { this->SetTextureMode(TEXTURE_MODULATE); }
+  void SetTextureModeToReplace() { this->SetTextureMode(TEXTURE_REPLACE); }
+  void SetTextureModeToDecal() { this->SetTextureMode(TEXTURE_DECAL); }
+  void SetTextureModeToAdd() { this->SetTextureMode(TEXTURE_ADD); }
+  const char* GetTextureModeAsString();
+  ///@}
+
+  enum ProceduralTextures
+  {
+    PROCEDURAL_NONE = 0,
+    PROCEDURAL_CHECKER,
+    PROCEDURAL_WOOD,
+    PROCEDURAL_MARBLE
+  };
+
+  ///@{
+  /**
+   * A texture that is computed: cubes of two colours, rings about the z axis, veins along x. It is
+   * put over the surface after all others. Default: None.
+   */
+  vtkSetClampMacro(ProceduralTexture, int, PROCEDURAL_NONE, PROCEDURAL_MARBLE);
+  vtkGetMacro(ProceduralTexture, int);
+  void SetProceduralTextureToNone() { this->SetProceduralTexture(PROCEDURAL_NONE); }
+  void SetProceduralTextureToChecker() { this->SetProceduralTexture(PROCEDURAL_CHECKER); }
+  void SetProceduralTextureToWood() { this->SetProceduralTexture(PROCEDURAL_WOOD); }
+  void SetProceduralTextureToMarble() { this->SetProceduralTexture(PROCEDURAL_MARBLE); }
+  const char* GetProceduralTextureAsString();
+  ///@}
+
+  enum ProceduralSpaces
+  {
+    PROCEDURAL_OBJECT = 0,
+    PROCEDURAL_UV
+  };
+
+  ///@{
+  /**
+   * Whether the procedural texture reads positions, in the mesh's own coordinates, or texture
+   * coordinates. Default: Object.
+   */
+  vtkSetClampMacro(ProceduralSpace, int, PROCEDURAL_OBJECT, PROCEDURAL_UV);
+  vtkGetMacro(ProceduralSpace, int);
+  void SetProceduralSpaceToObject() { this->SetProceduralSpace(PROCEDURAL_OBJECT); }
+  void SetProceduralSpaceToUv() { this->SetProceduralSpace(PROCEDURAL_UV); }
+  const char* GetProceduralSpaceAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The procedural texture's two colours, its cells, rings or veins per unit, and how far noise
+   * moves rings and veins, in their own width. Defaults: white, black, 1 and 0.
+   */
+  vtkSetVector3Macro(ProceduralColorA, double);
+  vtkGetVector3Macro(ProceduralColorA, double);
+  vtkSetVector3Macro(ProceduralColorB, double);
+  vtkGetVector3Macro(ProceduralColorB, double);
+  vtkSetMacro(ProceduralScale, double);
+  vtkGetMacro(ProceduralScale, double);
+  vtkSetMacro(ProceduralTurbulence, double);
+  vtkGetMacro(ProceduralTurbulence, double);
+  ///@}
+
+  ///@{
+  /**
+   * Light that was computed before: k_d times its colour times LightmapIntensity is added to what
+   * the lights give. It is read by the point array LightmapTCoords of two components, or by the
+   * active texture coordinates if that is nullptr or empty. Defaults: none, 1 and nullptr.
+   */
+  virtual void SetLightmapTexture(vtkTexture* texture);
+  vtkGetObjectMacro(LightmapTexture, vtkTexture);
+  vtkSetMacro(LightmapIntensity, double);
+  vtkGetMacro(LightmapIntensity, double);
+  vtkSetStringMacro(LightmapTCoords);
+  vtkGetStringMacro(LightmapTCoords);
+  ///@}
+
+  ///@{
+  /**
+   * Heights above the surface, from the image's first component (8 and 16 bits mean 0 to 1) times
+   * BumpScale, in units of texture coordinates. Their gradient bends the normals of surfaces that
+   * are lit per pixel. Defaults: none and 1.
+   *
+   * Normal maps are vtkProperty's NormalTexture and NormalScale. They need the point array of
+   * tangents only where ShadingFrequency is as VTK.
+   */
+  virtual void SetBumpTexture(vtkTexture* texture);
+  vtkGetObjectMacro(BumpTexture, vtkTexture);
+  vtkSetMacro(BumpScale, double);
+  vtkGetMacro(BumpScale, double);
+  ///@}
+
   /**
    * Copies all settings, those of a vtkLimnProperty too if `property` is one.
    */
@@ -207,7 +337,7 @@ public:
 
 protected:
   vtkLimnProperty() = default;
-  ~vtkLimnProperty() override = default;
+  ~vtkLimnProperty() override;
 
   int ShadingFrequency = FREQUENCY_AS_VTK;
   int ReflectionModel = REFLECTION_AS_VTK;
@@ -224,8 +354,23 @@ protected:
   int Outline = OUTLINE_NONE;
   double OutlineThreshold = 0.2;
   double OutlineColor[3] = { 0.0, 0.0, 0.0 };
+  int TextureRole = TEXTURE_SHADED;
+  int TextureMode = TEXTURE_MODULATE;
+  int ProceduralTexture = PROCEDURAL_NONE;
+  int ProceduralSpace = PROCEDURAL_OBJECT;
+  double ProceduralColorA[3] = { 1.0, 1.0, 1.0 };
+  double ProceduralColorB[3] = { 0.0, 0.0, 0.0 };
+  double ProceduralScale = 1.0;
+  double ProceduralTurbulence = 0.0;
+  vtkTexture* LightmapTexture = nullptr;
+  double LightmapIntensity = 1.0;
+  char* LightmapTCoords = nullptr;
+  vtkTexture* BumpTexture = nullptr;
+  double BumpScale = 1.0;
 
 private:
+  void CopyWithTextures(vtkProperty* property);
+
   vtkLimnProperty(const vtkLimnProperty&) = delete;
   void operator=(const vtkLimnProperty&) = delete;
 };

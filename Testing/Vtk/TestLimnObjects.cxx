@@ -59,6 +59,17 @@ void checkPropertyCopy()
   property->SetOutlineToNormal();
   property->SetOutlineThreshold(0.9);
   property->SetOutlineColor(1, 0, 1);
+  property->SetTextureRoleToSurface();
+  property->SetTextureModeToDecal();
+  property->SetProceduralTextureToMarble();
+  property->SetProceduralSpaceToUv();
+  property->SetProceduralColorA(0.3, 0.2, 0.1);
+  property->SetProceduralColorB(0.6, 0.5, 0.4);
+  property->SetProceduralScale(12);
+  property->SetProceduralTurbulence(0.35);
+  property->SetLightmapIntensity(0.45);
+  property->SetLightmapTCoords("second");
+  property->SetBumpScale(-0.15);
   property->SetAmbient(0.25);
   vtkNew<vtkLimnProperty> copy;
   copy->DeepCopy(property);

@@ -7,13 +7,11 @@
 #include "Picture.h"
 #include "Stage.h"
 
-#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
 #include "vtkPropCollection.h"
 #include "vtkTextActor.h"
-#include "vtkTexture.h"
 
 #include <array>
 #include <initializer_list>
@@ -65,16 +63,6 @@ const Case Cases[] = {
     } },
   { "edges on surfaces", true,
     [](Stage& stage) { stage.Actor->GetProperty()->EdgeVisibilityOn(); } },
-  { "textures", true,
-    [](Stage& stage)
-    {
-      vtkNew<vtkTexture> texture;
-      vtkNew<vtkImageData> image;
-      image->SetDimensions(2, 2, 1);
-      image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
-      texture->SetInputData(image);
-      stage.Actor->SetTexture(texture);
-    } },
   { "back face properties", true,
     [](Stage& stage)
     {

@@ -109,6 +109,7 @@ inline const Look Looks[] = {
     {
       actor->SetTexture(MakeTexture());
       actor->GetMapper()->ScalarVisibilityOff();
+      actor->GetProperty()->EdgeVisibilityOn();
     } },
   { "TextureTransformed",
     [](vtkActor* actor)
@@ -119,9 +120,14 @@ inline const Look Looks[] = {
       vtkSmartPointer<vtkTexture> texture = MakeTexture();
       texture->SetTransform(transform);
       actor->SetTexture(texture);
+      actor->GetProperty()->EdgeVisibilityOn();
     } },
   { "PropertyTexture",
-    [](vtkActor* actor) { actor->GetProperty()->SetTexture("paint", MakeTexture()); } },
+    [](vtkActor* actor)
+    {
+      actor->GetProperty()->SetTexture("paint", MakeTexture());
+      actor->GetProperty()->EdgeVisibilityOn();
+    } },
   { "CulledBack",
     [](vtkActor* actor)
     {

@@ -6,6 +6,7 @@
 #include "InputBounds.h"
 #include "KnownInput.h"
 #include "SurfaceMesh.h"
+#include "SurfaceTextures.h"
 
 #include "vtkLimnPolyDataMapper.h"
 
@@ -15,6 +16,7 @@ public:
   limn::bridge::SurfaceMesh Mesh;
   limn::bridge::InputBounds InputBounds;
   limn::bridge::KnownInput Input;
+  limn::bridge::MapperTextures Textures;
   vtkIdType LookedAtBuild = 0; ///< of which geometry what was left out was said
 };
 

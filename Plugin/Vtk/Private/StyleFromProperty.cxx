@@ -131,6 +131,37 @@ Material materialOf(vtkProperty* property)
   return material;
 }
 
+namespace
+{
+
+std::string fault(vtkProperty* property, const char* name, double value, const char* demand)
+{
+  std::ostringstream text;
+  text << name << " of its " << property->GetClassName() << " has the value " << value
+       << "; it has to be " << demand << ".";
+  return text.str();
+}
+
+std::string unusableTextureValueOf(vtkProperty* property)
+{
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  if (!std::isfinite(property->GetNormalScale()))
+  {
+    return fault(property, "NormalScale", property->GetNormalScale(), "a finite number");
+  }
+  if (limn && !std::isfinite(limn->GetBumpScale()))
+  {
+    return fault(property, "BumpScale", limn->GetBumpScale(), "a finite number");
+  }
+  if (limn && !std::isfinite(limn->GetLightmapIntensity()))
+  {
+    return fault(property, "LightmapIntensity", limn->GetLightmapIntensity(), "a finite number");
+  }
+  return {};
+}
+
+} // namespace
+
 std::string unusableValueOf(vtkProperty* property)
 {
   const double ambient = property->GetAmbient();
@@ -163,14 +194,11 @@ std::string unusableValueOf(vtkProperty* property)
     {
       if (!std::isfinite(value) || value < 0)
       {
-        std::ostringstream text;
-        text << one.name << " of its " << property->GetClassName() << " has the value " << value
-             << "; it has to be a finite number, not negative.";
-        return text.str();
+        return fault(property, one.name, value, "a finite number, not negative");
       }
     }
   }
-  return {};
+  return unusableTextureValueOf(property);
 }
 
 Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)

@@ -115,13 +115,15 @@ private:
   std::vector<Surface> surfaces_;
 };
 
-/// Colours surface and instance by the mapper's scalars, if they are visible.
-void setColors(vtkLimnPolyDataMapper* mapper, Instance& instance)
+/// Colours surface and instance by the mapper's scalars, if they are visible and textures do not
+/// show them.
+void setColors(vtkLimnPolyDataMapper* mapper, vtkPolyData* data, Instance& instance)
 {
   SurfaceMesh& mesh = mapper->GetInternals().Mesh;
   int cellFlag = 0;
-  vtkUnsignedCharArray* colors =
-    mapper->GetScalarVisibility() ? mapper->MapScalarsToColors(cellFlag) : nullptr;
+  const bool isColored =
+    mapper->GetScalarVisibility() && !interpolatesScalars(mapper, data, instance.style.frequency);
+  vtkUnsignedCharArray* colors = isColored ? mapper->MapScalarsToColors(cellFlag) : nullptr;
   const vtkIdType tuple = mapper->GetFieldDataTupleId();
   constexpr int kFieldData = 2;
   if (colors && cellFlag == kFieldData && tuple >= 0 && tuple < colors->GetNumberOfTuples())
@@ -179,7 +181,7 @@ std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
   return collector.take();
 }
 
-bool describe(const Surface& surface, Instance& instance)
+bool describe(const Surface& surface, Instance& instance, FrameTextures* textures)
 {
   vtkPolyData* const data = inputOf(surface.mapper);
   if (!data->GetPoints() || data->GetNumberOfPoints() == 0)
@@ -211,8 +213,12 @@ bool describe(const Surface& surface, Instance& instance)
   instance.style = styleOf(property, mesh);
   instance.cullBackFaces = property->GetBackfaceCulling() != 0;
   instance.cullFrontFaces = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
-  setColors(surface.mapper, instance);
+  setColors(surface.mapper, data, instance);
   mesh.describe(instance);
+  if (textures)
+  {
+    textures->apply(surface.actor, surface.mapper, data, instance);
+  }
   return true;
 }
 

@@ -3,6 +3,7 @@
 #ifndef Surface_h
 #define Surface_h
 
+#include "SurfaceTextures.h"
 #include "WhatIsMissing.h"
 
 #include "Rendering/Scene.h"
@@ -38,9 +39,10 @@ enum class Assemblies
 /// input brought up to date.
 std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies);
 
-/// The surface as an instance of a scene, borrowing from the mapper. False, with a message, if
-/// there is nothing to draw or something is wrong with the mesh.
-bool describe(const Surface& surface, Instance& instance);
+/// The surface as an instance of a scene, borrowing from the mapper and from `textures`, without
+/// textures if that is nullptr. False, with a message, if there is nothing to draw or something is
+/// wrong with the mesh.
+bool describe(const Surface& surface, Instance& instance, FrameTextures* textures);
 
 } // namespace limn::bridge
 

@@ -71,6 +71,7 @@ struct Drawables
 {
   std::vector<Instance> instances;
   std::vector<vtkActor*> actors; ///< of the instances
+  FrameTextures textures;        ///< likewise
 };
 
 Drawables describeAll(const std::vector<Surface>& surfaces)
@@ -81,7 +82,7 @@ Drawables describeAll(const std::vector<Surface>& surfaces)
   for (const Surface& surface : surfaces)
   {
     // In place: half a kilobyte each.
-    if (describe(surface, drawables.instances.emplace_back()))
+    if (describe(surface, drawables.instances.emplace_back(), &drawables.textures))
     {
       drawables.actors.push_back(surface.actor);
     }

@@ -31,6 +31,26 @@ private:
   Span<const Vec3f> span_;
 };
 
+/// Texture coordinates: two floats per tuple of a VTK array, its own memory where that is packed
+/// floats, else a copy. Of one component: that and 0, as VTK.
+class TCoordArray
+{
+public:
+  /// Views `array`, or nothing if it is null or has neither one nor two components or not `tuples`
+  /// tuples. What it keeps is made anew only if the array is another one or was modified.
+  void update(vtkDataArray* array, vtkIdType tuples);
+  Span<const Vec2f> span() const { return this->span_; }
+  /// Tuples with a value that is not a finite number.
+  vtkIdType notFinite() const { return this->notFinite_; }
+
+private:
+  vtkSmartPointer<vtkDataArray> array_;
+  vtkMTimeType time_ = 0;
+  std::vector<Vec2f> copy_;
+  Span<const Vec2f> span_;
+  vtkIdType notFinite_ = 0;
+};
+
 /// Coordinates of points: floats and doubles in place, other types as doubles.
 class PointArray
 {

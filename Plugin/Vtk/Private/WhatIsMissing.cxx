@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WhatIsMissing.h"
 
+#include "TextureSettings.h"
+
 #include "vtkLimnPolyDataMapper.h"
 
 #include "vtkActor.h"
@@ -10,6 +12,8 @@
 #include "vtkPolyData.h"
 #include "vtkProperty.h"
 #include "vtkShaderProperty.h"
+
+#include <utility>
 
 namespace limn::bridge
 {
@@ -62,11 +66,6 @@ bool isBeyondMetals(vtkProperty* property)
          (property->GetCoatStrength() > 0 || property->GetAnisotropy() > 0);
 }
 
-bool hasTexture(vtkActor* actor)
-{
-  return actor->GetTexture() || actor->GetProperty()->GetNumberOfTextures() > 0;
-}
-
 } // namespace
 
 std::vector<Missing> whatIsMissing(
@@ -89,11 +88,8 @@ std::vector<Missing> whatIsMissing(
     { input->GetNumberOfVerts() > 0, "vertex cells", true },
     { input->GetNumberOfLines() > 0, "line cells", true },
     { property->GetEdgeVisibility() != 0, "edges on surfaces", true },
-    { hasTexture(actor), "textures", true },
     { actor->GetBackfaceProperty() != nullptr, "back face properties", true },
     { isBeyondMetals(property), "coats and anisotropy of materials", true },
-    { mapper->GetScalarVisibility() && mapper->CanUseTextureMapForColoring(input),
-      "scalars interpolated before mapping", true },
     { isShifted(mapper), "shifts of coincident topology", true },
     { mapper->GetSelection() != nullptr, "marked selections", true },
     { hasShaderCode(actor), "shader replacements", true },
@@ -105,6 +101,10 @@ std::vector<Missing> whatIsMissing(
     {
       missing.push_back({ feature.feature, feature.surfaceIsDrawn });
     }
+  }
+  for (std::string& feature : missingTextures(actor, mapper))
+  {
+    missing.push_back({ std::move(feature), true });
   }
   return missing;
 }
