@@ -127,6 +127,37 @@ void checkReflection(const MaterialSettings& material)
   }
 }
 
+/// What a picture would not show.
+void checkTextures(const TextureSettings& texture)
+{
+  const bool hasColor = !texture.image.empty() || texture.procedural != Procedural::None;
+  if ((texture.mode || texture.role) && !hasColor)
+  {
+    refuseWithout(
+      texture.mode ? "--texture-mode" : "--texture-role", "--texture=FILE or --procedural=NAME");
+  }
+  if ((texture.filter || texture.wrap || texture.anisotropy) && !texture.hasImage())
+  {
+    refuseWithout(texture.filter ? "--texture-filter"
+                  : texture.wrap ? "--texture-wrap"
+                                 : "--anisotropy",
+      "an image; add --texture=FILE");
+  }
+  if (texture.anisotropy &&
+      texture.filter.value_or(TextureFilter::Trilinear) != TextureFilter::Trilinear)
+  {
+    refuseWithout("--anisotropy", "--texture-filter=trilinear");
+  }
+  if (texture.bumpScale && texture.bump.empty())
+  {
+    refuseWithout("--bump-scale", "--bump=FILE");
+  }
+  if (texture.proceduralScale && texture.procedural == Procedural::None)
+  {
+    refuseWithout("--procedural-scale", "--procedural=NAME");
+  }
+}
+
 void checkCamera(const CameraSettings& camera)
 {
   if (camera.parallelScale && !camera.orthographic)
@@ -194,6 +225,7 @@ Request parseRender(const Arguments& arguments)
   checkIllustration(scene.material);
   checkEffects(settings);
   checkReflection(scene.material);
+  checkTextures(scene.texture);
   checkOutput(settings.output);
   if (background && settings.transparentBackground)
   {

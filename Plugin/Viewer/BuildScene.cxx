@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BuildScene.h"
 
+#include "ApplyTextures.h"
 #include "ColorByArray.h"
 #include "FitCamera.h"
 #include "UserError.h"
@@ -162,6 +163,7 @@ void addLights(const SceneSettings& settings, vtkRenderer& renderer)
 void addMeshes(
   const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
 {
+  const Textures textures = loadTextures(settings.texture, meshes);
   for (const Mesh& mesh : meshes)
   {
     vtkNew<vtkLimnPolyDataMapper> mapper;
@@ -171,6 +173,7 @@ void addMeshes(
     vtkNew<vtkLimnActor> actor;
     actor->SetMapper(mapper);
     actor->SetProperty(property);
+    applyTextures(settings.texture, textures, *actor, *property);
     chooseColors(settings, meshes, mesh, *mapper);
     renderer.AddActor(actor);
   }

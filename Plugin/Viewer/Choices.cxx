@@ -35,6 +35,44 @@ const Choices<Outline>& outlines()
   return choices;
 }
 
+const Choices<TextureFilter>& textureFilters()
+{
+  static const Choices<TextureFilter> choices = { { "nearest", TextureFilter::Nearest },
+    { "bilinear", TextureFilter::Bilinear }, { "trilinear", TextureFilter::Trilinear } };
+  return choices;
+}
+
+const Choices<TextureWrap>& textureWraps()
+{
+  static const Choices<TextureWrap> choices = { { "repeat", TextureWrap::Repeat },
+    { "mirror", TextureWrap::Mirror }, { "clamp", TextureWrap::Clamp },
+    { "border", TextureWrap::Border } };
+  return choices;
+}
+
+const Choices<TextureRole>& textureRoles()
+{
+  static const Choices<TextureRole> choices = { { "surface", TextureRole::Surface },
+    { "shaded", TextureRole::Shaded } };
+  return choices;
+}
+
+const Choices<TextureMode>& textureModes()
+{
+  static const Choices<TextureMode> choices = { { "modulate", TextureMode::Modulate },
+    { "replace", TextureMode::Replace }, { "decal", TextureMode::Decal },
+    { "add", TextureMode::Add } };
+  return choices;
+}
+
+const Choices<Procedural>& procedurals()
+{
+  static const Choices<Procedural> choices = { { "none", Procedural::None },
+    { "checker", Procedural::Checker }, { "wood", Procedural::Wood },
+    { "marble", Procedural::Marble } };
+  return choices;
+}
+
 const Choices<int>& sampleCounts()
 {
   static const Choices<int> choices = { { "1", 1 }, { "2", 2 }, { "4", 4 }, { "8", 8 } };

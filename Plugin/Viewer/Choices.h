@@ -15,6 +15,11 @@ const Choices<Shading>& shadings();
 const Choices<Reflection>& reflections();
 const Choices<Tone>& tones();
 const Choices<Outline>& outlines();
+const Choices<TextureFilter>& textureFilters();
+const Choices<TextureWrap>& textureWraps();
+const Choices<TextureRole>& textureRoles();
+const Choices<TextureMode>& textureModes();
+const Choices<Procedural>& procedurals();
 const Choices<int>& sampleCounts();
 
 } // namespace limn::viewer

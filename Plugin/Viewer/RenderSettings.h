@@ -93,6 +93,62 @@ struct CameraSettings
   Vector3 up = { 0, 1, 0 };            ///< the meshes' own up: a unit axis
 };
 
+enum class TextureFilter
+{
+  Nearest,
+  Bilinear,
+  Trilinear ///< over a chain of mipmaps
+};
+
+enum class TextureWrap
+{
+  Repeat,
+  Mirror,
+  Clamp,
+  Border ///< transparent black
+};
+
+enum class TextureRole
+{
+  Surface, ///< k_a and k_d, before light is computed
+  Shaded   ///< the colour after light
+};
+
+enum class TextureMode
+{
+  Modulate,
+  Replace,
+  Decal,
+  Add
+};
+
+enum class Procedural
+{
+  None,
+  Checker,
+  Wood,
+  Marble
+};
+
+/// Images are files; empty: none.
+struct TextureSettings
+{
+  std::string image, bump, normalMap, lightmap;
+  std::optional<TextureFilter> filter; ///< trilinear if not given
+  std::optional<TextureWrap> wrap;     ///< repeat if not given
+  std::optional<TextureRole> role;     ///< surface if not given
+  std::optional<TextureMode> mode;     ///< modulate if not given
+  std::optional<int> anisotropy;       ///< 1 to 16; 1 if not given
+  std::optional<double> bumpScale;     ///< 1 if not given
+  Procedural procedural = Procedural::None;
+  std::optional<double> proceduralScale; ///< 1 if not given
+
+  bool hasImage() const
+  {
+    return !image.empty() || !bump.empty() || !normalMap.empty() || !lightmap.empty();
+  }
+};
+
 struct MaterialSettings
 {
   std::optional<Color> color;            ///< the meshes' own colours, else kDefaultColor
@@ -128,6 +184,7 @@ struct SceneSettings
   std::array<int, 2> resolution = { 1000, 600 }; ///< pixels
   CameraSettings camera;
   MaterialSettings material;
+  TextureSettings texture;
   ColoringSettings coloring;
   std::vector<LightSettings> lights; ///< none: a headlight
   Color ambientLight = { 0, 0, 0 };  ///< I_a

@@ -25,9 +25,9 @@ OptionList::Reader into(Target& target, Parse parse)
   return [&target, parse](Text option, Text text) { target = parse(option, text); };
 }
 
-template <typename Value>
+template <typename Target, typename Value>
 OptionList::Reader choose(
-  Value& target, const Choices<Value>& choices, const std::vector<std::string>& later = {})
+  Target& target, const Choices<Value>& choices, const std::vector<std::string>& later = {})
 {
   return [&target, &choices, later](Text option, Text text)
   { target = parseChoice(option, text, choices, later); };
@@ -164,6 +164,44 @@ void addIllustration(OptionList& options, MaterialSettings& material)
   options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));
 }
 
+double parseProceduralScale(Text option, Text text)
+{
+  const double scale = parsePositive(option, text);
+  if (scale > 1e6)
+  {
+    throw UserError(option + "=" + text + " is greater than 1e6");
+  }
+  return scale;
+}
+
+void addTextures(OptionList& options, TextureSettings& texture)
+{
+  const auto file = [](std::string& name) { return [&name](Text, Text text) { name = text; }; };
+  options.startGroup("Textures (images: .png .jpg .tif .bmp .pnm .hdr; they need\n"
+                     "texture coordinates, the procedural ones do not)");
+  options.add("--texture", "file", "an image over the surface's colour", file(texture.image));
+  options.add("--texture-role", "name",
+    "what it changes: surface (the colour that is lit),\nshaded (the colour after light) (surface)",
+    choose(texture.role, textureRoles()));
+  options.add("--texture-mode", "name", "modulate, replace, decal, add (modulate)",
+    choose(texture.mode, textureModes()));
+  options.add("--texture-filter", "name", "nearest, bilinear, trilinear (trilinear)",
+    choose(texture.filter, textureFilters()));
+  options.add("--texture-wrap", "name", "repeat, mirror, clamp, border (repeat)",
+    choose(texture.wrap, textureWraps()));
+  options.add("--anisotropy", "n", "most probes of trilinear, 1 to 16 (1)",
+    [&texture](Text option, Text text) { texture.anisotropy = parseInteger(option, text, 1, 16); });
+  options.add("--bump", "file", "heights that bend the normals", file(texture.bump));
+  options.add("--bump-scale", "s", "of the heights, in widths of the image (1)",
+    into(texture.bumpScale, parseNumber));
+  options.add("--normal-map", "file", "normals in tangent space", file(texture.normalMap));
+  options.add("--lightmap", "file", "light that was computed before", file(texture.lightmap));
+  options.add("--procedural", "name", "none, checker, wood, marble (none)",
+    choose(texture.procedural, procedurals()));
+  options.add("--procedural-scale", "s", "its periods per unit of the mesh (1)",
+    into(texture.proceduralScale, parseProceduralScale));
+}
+
 void addLights(OptionList& options, SceneSettings& scene)
 {
   options.startGroup("Light (a headlight where not given)");
@@ -200,6 +238,7 @@ void addSceneOptions(OptionList& options, SceneSettings& scene)
   addCamera(options, scene.camera);
   addMaterial(options, scene.material);
   addIllustration(options, scene.material);
+  addTextures(options, scene.texture);
   addLights(options, scene);
   addColoring(options, scene.coloring);
   options.startGroup("Picture");

@@ -159,6 +159,54 @@ TEST(Arguments, ReflectionOptionsThatWouldShowNothingAreRefused)
   EXPECT_NE(renderErrorOf({ "--model=6" }), "");
 }
 
+TEST(Arguments, TexturesAreRead)
+{
+  const TextureSettings texture =
+    parseRender({ "--texture=a.png", "--texture-role=shaded", "--texture-mode=decal",
+                  "--texture-filter=trilinear", "--texture-wrap=mirror", "--anisotropy=8",
+                  "--bump=b.png", "--bump-scale=-0.5", "--normal-map=c.png", "--lightmap=d.png",
+                  "--procedural=wood", "--procedural-scale=4" })
+      .scene.texture;
+  EXPECT_EQ(texture.image, "a.png");
+  EXPECT_EQ(texture.role, TextureRole::Shaded);
+  EXPECT_EQ(texture.mode, TextureMode::Decal);
+  EXPECT_EQ(texture.filter, TextureFilter::Trilinear);
+  EXPECT_EQ(texture.wrap, TextureWrap::Mirror);
+  EXPECT_EQ(texture.anisotropy, 8);
+  EXPECT_EQ(texture.bump, "b.png");
+  EXPECT_EQ(texture.bumpScale, -0.5);
+  EXPECT_EQ(texture.normalMap, "c.png");
+  EXPECT_EQ(texture.lightmap, "d.png");
+  EXPECT_EQ(texture.procedural, Procedural::Wood);
+  EXPECT_EQ(texture.proceduralScale, 4);
+}
+
+TEST(Arguments, TextureOptionsThatWouldShowNothingAreRefused)
+{
+  const struct
+  {
+    std::vector<std::string> options;
+    std::string error;
+  } cases[] = {
+    { { "--texture-mode=add" }, "--texture-mode needs --texture=FILE or --procedural=NAME" },
+    { { "--texture-role=shaded", "--bump=a.png" },
+      "--texture-role needs --texture=FILE or --procedural=NAME" },
+    { { "--texture-filter=nearest" }, "--texture-filter needs an image; add --texture=FILE" },
+    { { "--anisotropy=4", "--texture=a.png", "--texture-filter=bilinear" },
+      "--anisotropy needs --texture-filter=trilinear" },
+    { { "--bump-scale=2" }, "--bump-scale needs --bump=FILE" },
+    { { "--procedural-scale=2" }, "--procedural-scale needs --procedural=NAME" },
+    { { "--procedural=granite" },
+      "--procedural=granite is unknown; choose one of: none, checker, wood, marble" },
+  };
+  for (const auto& one : cases)
+  {
+    EXPECT_EQ(renderErrorOf(one.options), one.error);
+  }
+  EXPECT_NE(renderErrorOf({ "--texture=a.png", "--anisotropy=17" }), "");
+  EXPECT_NE(renderErrorOf({ "--procedural=wood", "--procedural-scale=0" }), "");
+}
+
 TEST(Arguments, LightsKeepTheirOrder)
 {
   const auto lights = parseRender(
@@ -211,9 +259,8 @@ TEST(Arguments, UnknownOptionsAreNamedWithTheHelpToRead)
 
 TEST(Arguments, OptionsOfLaterVersionsAreNamedAsSuch)
 {
-  for (const std::string option :
-    { "--toon-steps", "--outline-width", "--feature-angle", "--texture", "--texture-filter",
-      "--bump", "--bump-scale", "--lightmap", "--edges", "--line-width", "--point-size" })
+  for (const std::string option : { "--toon-steps", "--outline-width", "--feature-angle", "--edges",
+         "--line-width", "--point-size" })
   {
     const std::string expected = option + " is not served by this version; ";
     EXPECT_EQ(renderErrorOf({ option + "=1" }).substr(0, expected.size()), expected);
@@ -375,18 +422,21 @@ TEST(Arguments, HelpListsEveryServedOption)
 {
   const auto request = parseArguments({ "help", "render" });
   const std::string& text = std::get<HelpRequest>(request).text;
-  for (const std::string option : { "--output", "--resolution", "--camera-position",
-         "--camera-focal-point", "--camera-view-up", "--camera-view-angle", "--camera-orthographic",
-         "--camera-parallel-scale", "--up", "--color", "--background-color", "--no-background",
-         "--opacity", "--shading", "--reflection", "--tone", "--roughness", "--metallic",
-         "--fresnel", "--refractive-index", "--rim", "--rim-power", "--model", "--cool", "--warm",
-         "--ambient", "--diffuse", "--specular", "--specular-power", "--light", "--ambient-light",
-         "--outline", "--outline-color", "--coloring-array", "--colormap", "--coloring-range",
-         "--samples", "--backface-culling", "--threads", "--window", "--stats" })
+  for (const std::string option :
+    { "--output", "--resolution", "--camera-position", "--camera-focal-point", "--camera-view-up",
+      "--camera-view-angle", "--camera-orthographic", "--camera-parallel-scale", "--up", "--color",
+      "--background-color", "--no-background", "--opacity", "--shading", "--reflection", "--tone",
+      "--roughness", "--metallic", "--fresnel", "--refractive-index", "--rim", "--rim-power",
+      "--model", "--texture", "--texture-role", "--texture-mode", "--texture-filter",
+      "--texture-wrap", "--anisotropy", "--bump", "--bump-scale", "--normal-map", "--lightmap",
+      "--procedural", "--procedural-scale", "--cool", "--warm", "--ambient", "--diffuse",
+      "--specular", "--specular-power", "--light", "--ambient-light", "--outline",
+      "--outline-color", "--coloring-array", "--colormap", "--coloring-range", "--samples",
+      "--backface-culling", "--threads", "--window", "--stats" })
   {
     EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
   }
-  EXPECT_EQ(text.find("--texture"), std::string::npos);
+  EXPECT_EQ(text.find("--edges"), std::string::npos);
   EXPECT_EQ(std::get<HelpRequest>(parseArguments({ "render", "--help" })).text, text);
 }
 

@@ -89,7 +89,8 @@ TEST_F(RenderErrors, CommandLine)
   expectErrorOf({ "draw" }, { "unknown verb draw" });
   const std::string mesh = triangle();
   expectError(mesh, { "unknown option --foo", "limn help render" }, { "--foo" });
-  expectError(mesh, { "--texture is not served by this version" }, { "--texture=a.png" });
+  expectError(mesh, { "--toon-steps is not served by this version" }, { "--toon-steps=3" });
+  expectError(mesh, { "no texture coordinates", "--procedural" }, { "--texture=a.png" });
   expectError(mesh, { "--opacity=0.5", "translucency" }, { "--opacity=0.5" });
   expectError(mesh, { "--shading=fong", "flat, gouraud, phong" }, { "--shading=fong" });
   expectError(mesh, { "--light=point:0,0,nan:1,1,1" }, { "--light=point:0,0,nan:1,1,1" });
