@@ -40,6 +40,15 @@ GeneratedMesh grid(int columns, Ends columnEnds, int rows, Ends rowEnds, Surface
   return mesh;
 }
 
+/// Those of an open grid.
+void addTexCoords(GeneratedMesh& mesh, int columns, int rows)
+{
+  for (int row = 0; row <= rows; ++row)
+    for (int column = 0; column <= columns; ++column)
+      mesh.texCoords.push_back({static_cast<float>(column) / static_cast<float>(columns),
+                                static_cast<float>(row) / static_cast<float>(rows)});
+}
+
 }  // namespace
 
 std::vector<Triangle> GeneratedMesh::triangles() const
@@ -159,6 +168,29 @@ GeneratedMesh sheet(int side)
         {x, height, z},
         {-0.48 * std::cos(4 * x) * std::cos(3 * z), 1, 0.36 * std::sin(4 * x) * std::sin(3 * z)}};
   });
+}
+
+GeneratedMesh globe(int around, int along)
+{
+  GeneratedMesh mesh = grid(around, Ends::kOpen, along, Ends::kOpen, [](double u, double v) {
+    const double turn = 2 * kPi * u + kPi, up = kPi * (v - 0.5);
+    const Vec3d direction = {std::cos(up) * std::sin(turn), std::sin(up),
+                             std::cos(up) * std::cos(turn)};
+    return SurfacePoint{direction, direction};
+  });
+  addTexCoords(mesh, around, along);
+  return mesh;
+}
+
+GeneratedMesh board(int side)
+{
+  GeneratedMesh mesh = grid(side, Ends::kOpen, side, Ends::kOpen, [](double u, double v) {
+    return SurfacePoint{{2 * u - 1, 2 * v - 1, 0}, {0, 0, 1}};
+  });
+  addTexCoords(mesh, side, side);
+  for (Vec2f& t : mesh.texCoords)
+    t = {2 * t.x - 0.5f, 2 * t.y - 0.5f};
+  return mesh;
 }
 
 GeneratedMesh cube()

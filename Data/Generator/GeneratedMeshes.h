@@ -13,7 +13,8 @@ namespace limn {
 
 struct GeneratedMesh {
   std::vector<Vec3f> positions;
-  std::vector<Vec3f> normals;  ///< unit, one per position; empty if the mesh has none
+  std::vector<Vec3f> normals;    ///< unit, one per position; empty if the mesh has none
+  std::vector<Vec2f> texCoords;  ///< likewise
   std::vector<std::vector<std::uint32_t>> polygons;
 
   /// Fans (0, i, i+1) of the polygons.
@@ -32,6 +33,12 @@ GeneratedMesh gear(int teeth, double thickness);
 GeneratedMesh extrudedSine(int columns, int rows);
 /// An open sheet in the plane of x and z, gently waved.
 GeneratedMesh sheet(int side);
+/// The unit sphere with texture coordinates: u grows eastwards from -z, v from the south pole to
+/// the north pole. The points of that seam and of the poles are there for each u.
+GeneratedMesh globe(int around, int along);
+/// Side 2 in the plane z = 0, which looks along z, with texture coordinates from -0.5 to 1.5, for
+/// what is beyond an image to be seen.
+GeneratedMesh board(int side);
 /// Side 2, six quads, eight points; no normals.
 GeneratedMesh cube();
 /// The Utah teapot, after the control points that Martin Newell published in 1975: 32 bicubic

@@ -68,13 +68,18 @@ void writeObj(const GeneratedMesh& mesh, const std::string& path)
   MeshFile file(path);
   for (const Vec3f p : mesh.positions)
     file << "v " << p << '\n';
+  for (const limn::Vec2f t : mesh.texCoords)
+    file << "vt " << t.x << ' ' << t.y << '\n';
   for (const Vec3f n : mesh.normals)
     file << "vn " << n << '\n';
   for (const auto& polygon : mesh.polygons) {
     file << 'f';
     for (const std::uint32_t v : polygon) {
       file << ' ' << v + 1;
-      if (!mesh.normals.empty()) file << "//" << v + 1;
+      if (!mesh.texCoords.empty())
+        file << '/' << v + 1 << '/' << v + 1;
+      else if (!mesh.normals.empty())
+        file << "//" << v + 1;
     }
     file << '\n';
   }
@@ -226,5 +231,7 @@ int main(int argc, char* argv[])
   writeLegacyVtk(limn::sheet(kWavesSide), kWavesSide, folder + "waves.vtk");
   writeVtp(limn::sheet(kWavesSide), kWavesSide, folder + "waves.vtp");
   writeObj(limn::cube(), folder + "cube.obj");
+  writeObj(limn::globe(48, 24), folder + "globe.obj");
+  writeObj(limn::board(8), folder + "board.obj");
   return 0;
 }

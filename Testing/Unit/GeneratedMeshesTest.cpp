@@ -82,6 +82,7 @@ TEST(GeneratedMeshes, HaveTheirOutsideOutside)
 TEST(GeneratedMeshes, HaveNormalsThatFitTheirFaces)
 {
   expectNormalsAgreeWithFaces(sphere(24, 12, 2));
+  expectNormalsAgreeWithFaces(board(4));
   expectNormalsAgreeWithFaces(torus(24, 12, 1, 0.4));
   expectNormalsAgreeWithFaces(knot(160, 20, 0.45));
   expectNormalsAgreeWithFaces(extrudedSine(64, 16));
