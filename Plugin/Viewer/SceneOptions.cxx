@@ -177,9 +177,9 @@ double parseProceduralScale(Text option, Text text)
 void addTextures(OptionList& options, TextureSettings& texture)
 {
   const auto file = [](std::string& name) { return [&name](Text, Text text) { name = text; }; };
-  options.startGroup("Textures (images: .png .jpg .tif .bmp .pnm .hdr; they need\n"
-                     "texture coordinates, the procedural ones do not)");
-  options.add("--texture", "file", "an image over the surface's colour", file(texture.image));
+  options.startGroup("Textures (images need texture coordinates, procedural ones do not)");
+  options.add(
+    "--texture", "file", ".png .jpg .tif .bmp .pnm .hdr, over the colour", file(texture.image));
   options.add("--texture-role", "name",
     "what it changes: surface (the colour that is lit),\nshaded (the colour after light) (surface)",
     choose(texture.role, textureRoles()));
