@@ -55,21 +55,23 @@ class Checker:
         if not names and "no setter" not in cell:
             yield "no setter of a class, nor the words \"no setter\""
         for name in {a or b for a, b in names}:
-            # vtkSetMacro(Name, ...) declares SetName.
-            bare = name[3:] if name.startswith("Set") else name
-            if not re.search(rf"\b{name}\b|Macro\({bare},", self.headers) and not name.startswith("k"):
-                if not self.isOfVtk(cell, name):
-                    yield f"no header of Limn declares {name}"
+            if not self.declares(self.headers, name) and not self.isOfVtk(cell, name):
+                yield f"no header of Limn or of the VTK class named declares {name}"
 
     @staticmethod
-    def isOfVtk(cell, name):
-        owner = re.search(rf"\b(vtk[A-Za-z0-9]+)::{name}\b", cell)
-        if not owner or "Limn" in owner[1]:
-            return False
+    def declares(text, name):
+        """By itself, or as vtkSetMacro(Name, ...) and vtkBooleanMacro(Name, ...) do."""
+        bare = re.sub(r"^Set|^(?!Set)(?=.*(On|Off)$)|(On|Off)$", "", name)
+        return re.search(rf"\b{name}\b|Macro\({bare},", text) is not None
+
+    @classmethod
+    def isOfVtk(cls, cell, name):
         folder = next(iter(sorted(pathlib.Path("/usr/include").glob("vtk-*"))), None)
-        header = folder / f"{owner[1]}.h" if folder else None
-        return bool(header and header.exists() and re.search(
-            rf"\b{name}\b|Macro\({name[3:]},", header.read_text(errors="replace")))
+        for owner in re.findall(r"\b(vtk(?!Limn)[A-Za-z0-9]+)", cell):
+            header = folder / f"{owner}.h" if folder else None
+            if header and header.exists() and cls.declares(header.read_text(errors="replace"), name):
+                return True
+        return False
 
     def row(self, cells):
         if len(cells) != len(HEADER):
@@ -106,7 +108,7 @@ class Checker:
         header = pathlib.Path("Plugin/Vtk/vtkLimnProperty.h").read_text()
         for setter in re.findall(r"void (Set[A-Za-z]+To[A-Za-z0-9]+)\(\)", header):
             # "None" is the absence of a model.
-            if setter not in text and not setter.endswith(("ToNone", "ToAsVTK")):
+            if setter not in text and not setter.endswith(("ToNone", "ToAsVTK", "ToObject")):
                 yield f"no row names vtkLimnProperty::{setter}"
 
 
