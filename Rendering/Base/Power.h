@@ -75,8 +75,9 @@ inline float exp2Clamped(float y)
 inline int squaringsFor(float p)
 {
   const std::int32_t bits = power_detail::bitsOf(p);
+  if ((bits & 0x7FFFFF) != 0) return -1;
   const std::int32_t exponent = (bits >> 23) - 127;
-  return (bits & 0x7FFFFF) == 0 && exponent >= 0 && exponent <= 10 ? exponent : -1;
+  return exponent >= 0 && exponent <= 10 ? exponent : -1;
 }
 
 /// x^p for p >= 0; 0 for x <= 0 and for denormal x, but x^0 = 1 always. Relative error below

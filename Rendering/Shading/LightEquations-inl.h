@@ -100,7 +100,8 @@ class Lighting {
         style_(context.placed->instance->style),
         isLoneHeadlight_(style_.tone == Tone::kNone && style_.reflection == Reflection::kAsVtk &&
                          hasLoneHeadlight()),
-        isMatt_(isLoneHeadlight_ && isMatt(material_, lights_[0]))
+        isMatt_(isLoneHeadlight_ && isMatt(material_, lights_[0])),
+        isSpecial_(isSpecial(material_, style_))
   {
   }
 
@@ -116,15 +117,13 @@ class Lighting {
     return camera_.parallel ? set(Vec3f{0, 0, 1}) : normalized(neg(position));
   }
 
-  Lanes3 light(const Surface& s) const
+  HWY_INLINE Lanes3 light(const Surface& s) const
   {
+    if (isLoneHeadlight_) return loneHeadlight(s);
+    if (isSpecial_) return special(s);
     if (style_.tone != Tone::kNone) return toned(s);
     if (style_.reflection == Reflection::kNone) return add(s.ambient, s.diffuse);
-    if (style_.reflection == Reflection::kMetallicRoughness ||
-        style_.reflection == Reflection::kMetallicRoughnessAsVtk)
-      return metallic(s);
-    if (style_.reflection != Reflection::kAsVtk) return chapter(s);
-    return isLoneHeadlight_ ? loneHeadlight(s) : asVtk(s);
+    return style_.reflection == Reflection::kAsVtk ? asVtk(s) : chapter(s, chapterSums(s));
   }
 
  private:
@@ -136,11 +135,30 @@ class Lighting {
     return (material.specular == 0.0f || most(material.specularColor) == 0.0f) &&
            material.specularPower <= kMostPower && most(light.color) <= kMostColor;
   }
+  /// Whether more than the chapter's own models is asked for.
+  static bool isSpecial(const Material& material, const Style& style)
+  {
+    if (style.tone != Tone::kNone) return false;
+    switch (style.reflection) {
+      case Reflection::kNone:
+      case Reflection::kAsVtk:
+        return false;
+      case Reflection::kLambert:
+        return hasRim(material);
+      case Reflection::kBlinnPhong:
+      case Reflection::kPhong:
+        return hasRim(material) || style.fresnel;
+      default:
+        return true;
+    }
+  }
+  bool hasFresnel() const { return style_.fresnel && style_.reflection != Reflection::kLambert; }
+  static bool hasRim(const Material& material) { return !(material.rim == Vec3f{0, 0, 0}); }
   bool hasLoneHeadlight() const
   {
     return lights_.size() == 1 && lights_[0].kind == LightKind::kHeadlight;
   }
-  Lanes3 loneHeadlight(const Surface& s) const
+  HWY_INLINE Lanes3 loneHeadlight(const Surface& s) const
   {
     const V df = positive(s.normal.z);
     const Lanes3 color = set(lights_[0].color);
@@ -191,11 +209,6 @@ class Lighting {
                      schlick(f0, set(Vec3f{1, 1, 1}), dot(l, normalized(add(l, v)))));
         });
   }
-  template <class Highlight>
-  HWY_INLINE Reflected sumGlossy(const Surface& s, Lanes3 v, Highlight highlight) const
-  {
-    return style_.fresnel ? sumWithFresnel(s, v, highlight) : sum(s, highlight);
-  }
 
   Lanes3 asVtk(const Surface& s) const
   {
@@ -205,11 +218,12 @@ class Lighting {
   }
 
   /// What Oren and Nayar's model has over Lambert's; see ReferenceShading.cpp.
-  Reflected orenNayarSums(const Surface& s, Lanes3 v) const
+  HWY_NOINLINE Reflected orenNayarSums(const Surface& s) const
   {
     const float squared = material_.roughness * material_.roughness;
     const V a = set(1.0f - 0.5f * (squared / (squared + 0.33f)));
     const V b = set(0.45f * (squared / (squared + 0.09f)));
+    const Lanes3 v = towardEye(s.position);
     const V nv = dot(s.normal, v);
     const auto matt = [&](Lanes3 l, V nl) HWY_ATTR {
       const V along = positive(hn::Sub(dot(l, v), hn::Mul(nl, nv)));
@@ -219,42 +233,67 @@ class Lighting {
     const auto none = [](Lanes3, V, Lanes3, V) HWY_ATTR { return set(Vec3f{0, 0, 0}); };
     return sum(s, matt, none);
   }
-  Reflected chapterSums(const Surface& s, Lanes3 v) const
+  HWY_NOINLINE Reflected irradianceSums(const Surface& s) const
   {
-    switch (style_.reflection) {
-      case Reflection::kBlinnPhong:
-        return sumGlossy(s, v, [&](Lanes3 l, V) HWY_ATTR { return blinnPhong(l, v, s); });
-      case Reflection::kPhong:
-        return sumGlossy(s, v, [&](Lanes3 l, V) HWY_ATTR { return reflectedRay(l, v, s); });
-      case Reflection::kIrradiance:
-        return sumGlossy(s, v,
-                         [&](Lanes3 l, V nl) HWY_ATTR { return hn::Mul(blinnPhong(l, v, s), nl); });
-      case Reflection::kOrenNayar:
-        return orenNayarSums(s, v);
-      default:
-        // Not the sum's own zeros: an infinite light times 0 is not a number.
-        return {sum(s, [&](Lanes3, V) HWY_ATTR { return set(0.0f); }).diffuse, set(Vec3f{0, 0, 0})};
-    }
+    const Lanes3 v = towardEye(s.position);
+    const auto highlight = [&](Lanes3 l, V nl)
+                               HWY_ATTR { return hn::Mul(blinnPhong(l, v, s), nl); };
+    return style_.fresnel ? sumWithFresnel(s, v, highlight) : sum(s, highlight);
   }
-  /// Velvet.
-  Surface withRim(Surface s, Lanes3 v) const
+  HWY_NOINLINE Reflected fresnelSums(const Surface& s) const
   {
-    if (material_.rim == Vec3f{0, 0, 0}) return s;
-    const V grazing =
-        powerOf(positive(hn::Sub(set(1.0f), positive(dot(s.normal, v)))), material_.rimPower);
-    s.ambient = add(s.ambient, mul(set(material_.rim), grazing));
-    s.diffuse = add(s.diffuse, mul(set(material_.rim), grazing));
+    const Lanes3 v = towardEye(s.position);
+    if (style_.reflection == Reflection::kPhong)
+      return sumWithFresnel(s, v, [&](Lanes3 l, V) HWY_ATTR { return reflectedRay(l, v, s); });
+    return sumWithFresnel(s, v, [&](Lanes3 l, V) HWY_ATTR { return blinnPhong(l, v, s); });
+  }
+  Reflected chapterSums(const Surface& s) const
+  {
+    // Not the sum's own zeros: an infinite light times 0 is not a number.
+    if (style_.reflection == Reflection::kLambert)
+      return {sum(s, [&](Lanes3, V) HWY_ATTR { return set(0.0f); }).diffuse, set(Vec3f{0, 0, 0})};
+    const Lanes3 v = towardEye(s.position);
+    if (style_.reflection == Reflection::kPhong)
+      return sum(s, [&](Lanes3 l, V) HWY_ATTR { return reflectedRay(l, v, s); });
+    return sum(s, [&](Lanes3 l, V) HWY_ATTR { return blinnPhong(l, v, s); });
+  }
+  HWY_INLINE Lanes3 chapter(const Surface& s, const Reflected& sums) const
+  {
+    return add(add(mul(s.ambient, set(ambientLight_)), mul(sums.diffuse, s.diffuse)),
+               mul(sums.specular, s.specular));
+  }
+
+  /// Apart from light(), whose code for the models above stays short.
+  HWY_NOINLINE Lanes3 special(const Surface& bare) const
+  {
+    if (style_.reflection == Reflection::kMetallicRoughness ||
+        style_.reflection == Reflection::kMetallicRoughnessAsVtk)
+      return metallic(bare);
+    const Surface s = prepared(bare);
+    return chapter(s, specialSums(s));
+  }
+  /// With velvet's rim, and with reflectance in place of k_d where the model asks for it.
+  Surface prepared(Surface s) const
+  {
+    if (hasRim(material_)) {
+      const V facing = positive(dot(s.normal, towardEye(s.position)));
+      const V grazing = powerOf(positive(hn::Sub(set(1.0f), facing)), material_.rimPower);
+      s.ambient = add(s.ambient, mul(set(material_.rim), grazing));
+      s.diffuse = add(s.diffuse, mul(set(material_.rim), grazing));
+    }
+    if (style_.reflection == Reflection::kIrradiance) s.diffuse = mul(s.diffuse, set(kInversePi));
     return s;
   }
-  Lanes3 chapter(const Surface& bare) const
+  Reflected specialSums(const Surface& s) const
   {
-    const Lanes3 v = towardEye(bare.position);
-    const Surface s = withRim(bare, v);
-    const Reflected sums = chapterSums(s, v);
-    const Lanes3 matt =
-        style_.reflection == Reflection::kIrradiance ? mul(s.diffuse, set(kInversePi)) : s.diffuse;
-    return add(add(mul(s.ambient, set(ambientLight_)), mul(sums.diffuse, matt)),
-               mul(sums.specular, s.specular));
+    switch (style_.reflection) {
+      case Reflection::kIrradiance:
+        return irradianceSums(s);
+      case Reflection::kOrenNayar:
+        return orenNayarSums(s);
+      default:
+        return hasFresnel() ? fresnelSums(s) : chapterSums(s);
+    }
   }
 
   Lanes3 metallic(const Surface& s) const
@@ -332,7 +371,7 @@ class Lighting {
   Vec3f ambientLight_;
   const Material& material_;
   const Style& style_;
-  bool isLoneHeadlight_, isMatt_;
+  bool isLoneHeadlight_, isMatt_, isSpecial_;
 };
 
 }  // namespace limn::HWY_NAMESPACE

@@ -304,8 +304,10 @@ class FragmentLanes {
 template <class Lanes>
 class Shader {
  public:
-  Shader(const ShadingContext& context, const FragmentBatch& batch, Lanes lanes)
-      : lighting_(context),
+  /// `lighting` of the same context must outlive it.
+  Shader(const Lighting& lighting, const ShadingContext& context, const FragmentBatch& batch,
+         Lanes lanes)
+      : lighting_(lighting),
         style_(context.placed->instance->style),
         layers_(context.placed->instance->layers),
         lanes_(context, batch, lanes)
@@ -395,7 +397,7 @@ class Shader {
     return hn::Lt(hn::Abs(dot(n, v)), set(style_.outlineThreshold));
   }
 
-  Lighting lighting_;
+  const Lighting& lighting_;
   const Style& style_;
   Span<const TextureLayer> layers_;
   FragmentLanes<Lanes> lanes_;
@@ -406,8 +408,9 @@ class Shader {
 void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
 {
   const auto count = static_cast<std::size_t>(batch.count);
+  const Lighting lighting(context);
   for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
-    Shader<BatchLanes> shader(context, batch, BatchLanes(i));
+    Shader<BatchLanes> shader(lighting, context, batch, BatchLanes(i));
     if (shader.needsCorners()) shader.lightCorners();
     CornerWeights weights;
     for (int k = 0; k < 3; ++k) {
@@ -609,10 +612,11 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
 {
   const bool footprint = UvUse(*context.placed->instance).footprint;
   TriangleFragments fragments;
+  const Lighting lighting(context);
   for (std::size_t t = 0; t < numbers.size(); ++t) {
     if (batch.needsClip[t] != 0) continue;
     const TriangleWeights weights(batch, t, pixels);
-    Shader<TriangleLanes> shader(context, batch, TriangleLanes(t));
+    Shader<TriangleLanes> shader(lighting, context, batch, TriangleLanes(t));
     if (shader.needsCorners()) shader.lightCorners();
     std::uint16_t run = list.firstRun[numbers[t]];
     while (run != FragmentRun::kNone) {
