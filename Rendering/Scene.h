@@ -69,16 +69,15 @@ enum class Reflection : std::uint8_t {
   kBlinnPhong,  ///< (12.3): (12.1) + sum k_s I max(0, n.h)^p
   kPhong,       ///< (12.1) + sum k_s I max(0, r.v)^p, r the reflected ray
   /// (k_d / pi + k_s max(0, n.h)^p) E, E = I max(0, n.l): the highlight has the cosine, too, and
-  /// k_d
-  /// is the share of light sent back (Fundamentals of Computer Graphics, 5.2).
+  /// k_d is the share of light sent back (Fundamentals of Computer Graphics, 5.2).
   kIrradiance,
   /// (12.1) with each light times A + B max(0, cos(phi_l - phi_v)) sin(alpha) tan(beta), the
   /// qualitative model of Oren and Nayar 1994; Material::roughness is their sigma. Flatter than
   /// Lambert's: the moon.
   kOrenNayar,
   /// Facets by Trowbridge and Reitz (GGX), Smith's shadowing, Schlick's Fresnel term, over k_d / pi
-  /// for what is not a metal. Material::roughness squared is GGX's alpha. I in place of E / max(0,
-  /// n.l).
+  /// for what is not a metal. Material::roughness squared is GGX's alpha. As in kIrradiance a white
+  /// matt surface needs I = pi to look white.
   kMetallicRoughness,
   /// The same as VTK's OpenGL shaders have it (interpolation PBR, no environment): other shadowing,
   /// no ambient term, the sum to the power of 1/2.2.

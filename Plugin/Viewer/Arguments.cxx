@@ -76,22 +76,58 @@ void checkIllustration(const MaterialSettings& material)
   }
 }
 
+bool isGrey(const Color& color)
+{
+  return color[0] == color[1] && color[1] == color[2];
+}
+
 [[noreturn]] void refuseWithout(const std::string& option, const std::string& needed)
 {
   throw UserError(option + " needs " + needed);
 }
 
+[[noreturn]] void refuseBoth(const std::string& one, const std::string& other)
+{
+  throw UserError(one + " and " + other + " exclude each other; give one");
+}
+
+/// A tone and the local models take the place of a reflection and of all that goes with it.
+void checkAlternatives(const MaterialSettings& material)
+{
+  const bool hasTone = material.tone != Tone::None;
+  if (material.localModel && material.reflection)
+  {
+    refuseBoth("--model", "--reflection");
+  }
+  if (material.localModel && hasTone)
+  {
+    refuseBoth("--model", "--tone");
+  }
+  const std::pair<const char*, bool> options[] = {
+    { "--roughness", material.roughness.has_value() },
+    { "--metallic", material.metallic.has_value() },
+    { "--fresnel", material.fresnel },
+    { "--refractive-index", material.refractiveIndex.has_value() },
+    { "--rim", material.rim.has_value() },
+    { "--rim-power", material.rimPower.has_value() },
+  };
+  for (const auto& [name, isGiven] : options)
+  {
+    if (isGiven && (hasTone || material.localModel))
+    {
+      refuseBoth(name, hasTone ? "--tone" : "--model");
+    }
+  }
+}
+
 /// What a picture would not show.
 void checkReflection(const MaterialSettings& material)
 {
-  const Reflection reflection = material.reflection;
+  checkAlternatives(material);
+  const Reflection reflection = material.reflection.value_or(kDefaultReflection);
   const bool isMetallic = reflection == Reflection::Metallic;
   const bool isGlossy = reflection == Reflection::BlinnPhong || reflection == Reflection::Phong ||
                         reflection == Reflection::Irradiance;
-  if (material.localModel && reflection != Reflection::BlinnPhong)
-  {
-    throw UserError("--model and --reflection exclude each other; give one");
-  }
   if (material.roughness && !isMetallic && reflection != Reflection::OrenNayar)
   {
     refuseWithout("--roughness", "--reflection=oren-nayar or --reflection=metallic");
@@ -108,10 +144,7 @@ void checkReflection(const MaterialSettings& material)
   {
     refuseWithout("--refractive-index", "--fresnel or --reflection=metallic");
   }
-  if (isMetallic && material.refractiveIndex &&
-      *material.refractiveIndex != Color{ (*material.refractiveIndex)[0],
-                                     (*material.refractiveIndex)[0],
-                                     (*material.refractiveIndex)[0] })
+  if (isMetallic && material.refractiveIndex && !isGrey(*material.refractiveIndex))
   {
     throw UserError(
       "--refractive-index of --reflection=metallic is one number; a metal's colour is "

@@ -36,9 +36,13 @@ int shadingFrequencyOf(Shading shading)
   return vtkLimnProperty::FREQUENCY_PHONG;
 }
 
-int reflectionModelOf(Reflection reflection)
+int reflectionModelOf(const MaterialSettings& material)
 {
-  switch (reflection)
+  if (material.localModel)
+  {
+    return vtkLimnProperty::REFLECTION_LOCAL_1 + *material.localModel - 1;
+  }
+  switch (material.reflection.value_or(kDefaultReflection))
   {
     case Reflection::None:
       return vtkLimnProperty::REFLECTION_NONE;
@@ -77,7 +81,7 @@ void setReflection(const MaterialSettings& material, vtkLimnProperty& property)
 {
   const Color index = material.refractiveIndex.value_or(
     Color{ kDefaultRefractiveIndex, kDefaultRefractiveIndex, kDefaultRefractiveIndex });
-  property.SetReflectionModel(reflectionModelOf(material.reflection));
+  property.SetReflectionModel(reflectionModelOf(material));
   property.SetRoughness(material.roughness.value_or(kDefaultRoughness));
   property.SetMetallic(material.metallic.value_or(0));
   property.SetBaseIOR(index[0]);
@@ -85,10 +89,6 @@ void setReflection(const MaterialSettings& material, vtkLimnProperty& property)
   property.SetFresnel(material.fresnel);
   property.SetRimColor(material.rim.value_or(Color{ 0, 0, 0 }).data());
   property.SetRimPower(material.rimPower.value_or(kDefaultRimPower));
-  if (material.localModel)
-  {
-    property.ApplyLocalModel(*material.localModel);
-  }
 }
 
 int toneOf(Tone tone)

@@ -161,10 +161,10 @@ struct MaterialSettings
   bool fresnel = false;
   std::optional<Color> rim;        ///< none if not given
   std::optional<double> rimPower;  ///< kDefaultRimPower if not given
-  std::optional<int> localModel;   ///< 1 to 5
+  std::optional<int> localModel;   ///< 1 to 5, in place of a reflection
   std::optional<Color> cool, warm; ///< k_cool and k_warm themselves
   Shading shading = Shading::Phong;
-  Reflection reflection = Reflection::BlinnPhong;
+  std::optional<Reflection> reflection; ///< kDefaultReflection if not given
   Tone tone = Tone::None;
   Outline outline = Outline::None;
   std::optional<Color> outlineColor; ///< black if not given
@@ -232,6 +232,7 @@ struct CompareSettings
 };
 
 inline constexpr const char* kDefaultColormap = "viridis";
+inline constexpr Reflection kDefaultReflection = Reflection::BlinnPhong;
 inline constexpr double kDefaultRoughness = 0.5;
 inline constexpr double kDefaultRefractiveIndex = 1.5;
 inline constexpr double kDefaultRimPower = 3;

@@ -123,7 +123,8 @@ void addMaterial(OptionList& options, MaterialSettings& material)
     "none, lambert, phong, blinn-phong, irradiance (the\n"
     "highlight has the cosine too, k_d is over pi),\n"
     "oren-nayar (rough and matt), metallic (facets)\n(blinn-phong)",
-    choose(material.reflection, reflections()));
+    into(material.reflection,
+      [](Text option, Text text) { return parseChoice(option, text, reflections()); }));
   options.add("--ambient", "r,g,b", "k_a (k_d)", into(material.ambient, parseIntensity));
   options.add("--diffuse", "r,g,b", "k_d (the colour)", into(material.diffuse, parseIntensity));
   options.add("--specular", "r,g,b", "k_s (0.2,0.2,0.2)", into(material.specular, parseIntensity));
@@ -141,9 +142,10 @@ void addMaterial(OptionList& options, MaterialSettings& material)
   options.add("--rim-power", "q", "how narrow it is, 0 to 128 (3)",
     into(material.rimPower, parseSpecularPower));
   options.add("--model", "n",
-    "five local models in order: 1 ambient light,\n2 with matt reflection, 3 with fall-off, 4 "
-    "with\n"
-    "highlights by the reflected ray, 5 in colour",
+    "in place of --reflection one of five that build on\n"
+    "each other: 1 ambient light, 2 matt reflection,\n"
+    "3 fall-off, 4 highlights by the reflected ray,\n"
+    "5 in colour",
     [&material](Text option, Text text)
     { material.localModel = parseInteger(option, text, 1, 5); });
   options.addSwitch(

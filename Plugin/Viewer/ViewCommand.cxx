@@ -27,7 +27,8 @@ namespace
 
 const char* const kKeys = R"(Keys
   s  shading: flat, gouraud, phong
-  l  reflection of light: none, lambert, phong, blinn-phong, ...
+  l  reflection of light: none, lambert, phong, blinn-phong,
+     irradiance, oren-nayar, metallic
   t  tone: none, gooch, gooch-chapter
   o  outline: none, normal
   m  samples per pixel: 1, 2, 4, 8
@@ -56,9 +57,20 @@ const std::string& nameOf(const Choices<Value>& choices, Value value)
 }
 
 template <typename Value>
+Value next(const Choices<Value>& choices, Value value)
+{
+  return choices[(indexOf(choices, value) + 1) % choices.size()].second;
+}
+
+template <typename Value>
 void advance(const Choices<Value>& choices, Value& value)
 {
-  value = choices[(indexOf(choices, value) + 1) % choices.size()].second;
+  value = next(choices, value);
+}
+
+Reflection reflectionOf(const MaterialSettings& material)
+{
+  return material.reflection.value_or(kDefaultReflection);
 }
 
 /// What is on the screen and how it looks at the moment.
@@ -83,7 +95,8 @@ public:
         advance(shadings(), material.shading);
         break;
       case 'l':
-        advance(reflections(), material.reflection);
+        material.reflection = next(reflections(), reflectionOf(material));
+        material.localModel.reset();
         break;
       case 't':
         advance(tones(), material.tone);
@@ -131,9 +144,11 @@ private:
     const std::string first = std::filesystem::path(this->meshes_[0].file).filename().string();
     return "limn: " + first + (this->meshes_.size() > 1 ? ", ..." : "") + " | shading " +
            nameOf(shadings(), material.shading) + " | reflection " +
-           nameOf(reflections(), material.reflection) + " | tone " +
-           nameOf(tones(), material.tone) + " | outline " + nameOf(outlines(), material.outline) +
-           " | samples " + std::to_string(this->settings_.samples) + " | h: keys";
+           (material.localModel ? "model " + std::to_string(*material.localModel)
+                                : nameOf(reflections(), reflectionOf(material))) +
+           " | tone " + nameOf(tones(), material.tone) + " | outline " +
+           nameOf(outlines(), material.outline) + " | samples " +
+           std::to_string(this->settings_.samples) + " | h: keys";
   }
 
   SceneSettings settings_;

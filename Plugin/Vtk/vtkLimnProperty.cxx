@@ -10,12 +10,6 @@
 
 namespace
 {
-/// ITU-R BT.709
-double Luminance(const double color[3])
-{
-  return 0.2126 * color[0] + 0.7152 * color[1] + 0.0722 * color[2];
-}
-
 void PrintVector(ostream& os, const char* name, const double vector[3])
 {
   os << name << ": (" << vector[0] << ", " << vector[1] << ", " << vector[2] << ")\n";
@@ -45,33 +39,9 @@ const char* vtkLimnProperty::GetShadingFrequencyAsString()
 const char* vtkLimnProperty::GetReflectionModelAsString()
 {
   static const char* const names[] = { "AsVTK", "None", "Lambert", "BlinnPhong", "Phong",
-    "Irradiance", "OrenNayar", "MetallicRoughness" };
+    "Irradiance", "OrenNayar", "MetallicRoughness", "Local1", "Local2", "Local3", "Local4",
+    "Local5" };
   return names[this->ReflectionModel];
-}
-
-//------------------------------------------------------------------------------
-void vtkLimnProperty::ApplyLocalModel(int version)
-{
-  if (version < 1 || version > 5)
-  {
-    vtkErrorMacro("There is no local model " << version << "; choose one of 1 to 5.");
-    return;
-  }
-  if (version < 5)
-  {
-    const double ambient = Luminance(this->GetAmbientColor());
-    const double diffuse = Luminance(this->GetDiffuseColor());
-    this->SetAmbientColor(ambient, ambient, ambient);
-    this->SetDiffuseColor(diffuse, diffuse, diffuse);
-  }
-  const double specular = Luminance(this->GetSpecularColor());
-  this->SetSpecularColor(specular, specular, specular);
-  this->SetReflectionModel(version < 4 ? REFLECTION_LAMBERT : REFLECTION_PHONG);
-  this->SetFallOff(version > 2);
-  if (version == 1)
-  {
-    this->SetDiffuse(0);
-  }
 }
 
 //------------------------------------------------------------------------------

@@ -64,7 +64,12 @@ public:
     REFLECTION_PHONG,
     REFLECTION_IRRADIANCE,
     REFLECTION_OREN_NAYAR,
-    REFLECTION_METALLIC_ROUGHNESS
+    REFLECTION_METALLIC_ROUGHNESS,
+    REFLECTION_LOCAL_1,
+    REFLECTION_LOCAL_2,
+    REFLECTION_LOCAL_3,
+    REFLECTION_LOCAL_4,
+    REFLECTION_LOCAL_5
   };
 
   ///@{
@@ -73,11 +78,14 @@ public:
    * k_a I_a + k_d I max(0, n.l). Blinn-Phong adds k_s I max(0, n.h)^p, Phong k_s I max(0, r.v)^p.
    * Irradiance: (k_d / pi + k_s max(0, n.h)^p) E, E = I max(0, n.l). Oren-Nayar: Lambert's for
    * rough surfaces, by Roughness. Metallic-roughness: facets after Trowbridge and Reitz (GGX), by
-   * Roughness, Metallic, BaseIOR and EdgeTint, with I in place of E / max(0, n.l). I_a is
-   * vtkRenderer's Ambient. The default, as VTK, is what VTK's shaders compute, with the
-   * interpolation VTK_PBR too.
+   * Roughness, Metallic, BaseIOR and EdgeTint. Local1 to Local5 are models of which each adds to
+   * the one before: 1 ambient light alone, 2 Lambert's reflection without the lights' fall-off, 3
+   * with it, 4 highlights as Phong's, 5 ambient and diffuse colour, which 1 to 4 take as greys of
+   * the same luminance; that of highlights is a grey in all. They have neither Fresnel's term nor
+   * a rim, and colours of scalars stay. I_a is vtkRenderer's Ambient. The default, as VTK, is what
+   * VTK's shaders compute, with the interpolation VTK_PBR too.
    */
-  vtkSetClampMacro(ReflectionModel, int, REFLECTION_AS_VTK, REFLECTION_METALLIC_ROUGHNESS);
+  vtkSetClampMacro(ReflectionModel, int, REFLECTION_AS_VTK, REFLECTION_LOCAL_5);
   vtkGetMacro(ReflectionModel, int);
   void SetReflectionModelToAsVTK() { this->SetReflectionModel(REFLECTION_AS_VTK); }
   void SetReflectionModelToNone() { this->SetReflectionModel(REFLECTION_NONE); }
@@ -90,6 +98,11 @@ public:
   {
     this->SetReflectionModel(REFLECTION_METALLIC_ROUGHNESS);
   }
+  void SetReflectionModelToLocal1() { this->SetReflectionModel(REFLECTION_LOCAL_1); }
+  void SetReflectionModelToLocal2() { this->SetReflectionModel(REFLECTION_LOCAL_2); }
+  void SetReflectionModelToLocal3() { this->SetReflectionModel(REFLECTION_LOCAL_3); }
+  void SetReflectionModelToLocal4() { this->SetReflectionModel(REFLECTION_LOCAL_4); }
+  void SetReflectionModelToLocal5() { this->SetReflectionModel(REFLECTION_LOCAL_5); }
   const char* GetReflectionModelAsString();
   ///@}
 
@@ -125,14 +138,6 @@ public:
   vtkGetMacro(FallOff, bool);
   vtkBooleanMacro(FallOff, bool);
   ///@}
-
-  /**
-   * Sets the reflection as in one of five local models, each of which adds to the one before: 1
-   * ambient light alone, 2 matt reflection, 3 the lights' fall-off, 4 highlights by the reflected
-   * ray, 5 colours. In 1 to 4 ambient and diffuse colour become grey, of the same luminance; the
-   * colour of highlights does in all.
-   */
-  void ApplyLocalModel(int version);
 
   enum Tones
   {

@@ -46,6 +46,18 @@ TEST(Power, StaysWithinItsDocumentedErrorOverAllMagnitudes)
   EXPECT_LT(worst, 1);
 }
 
+TEST(Power, StaysWithinItsDocumentedErrorForLargeExponents)
+{
+  double worst = 0;
+  for (const float p : {64.0f, 100.5f, 512.0f, 1023.0f, 2048.0f, 12345.6f, 1e5f, 1e6f})
+    for (int i = 1; i <= 20000; ++i) {
+      // Down to the smallest normal result.
+      const auto x = static_cast<float>(std::exp2(-125.9 * i / 20000 / static_cast<double>(p)));
+      worst = std::max(worst, errorInBounds(x, p));
+    }
+  EXPECT_LT(worst, 1.0);
+}
+
 TEST(Power, HasItsDocumentedCorners)
 {
   for (const float x : {-1.0f, 0.0f, 1e-40f, 0.5f, 1.0f, 7.0f})

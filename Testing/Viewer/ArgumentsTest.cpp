@@ -50,7 +50,7 @@ TEST(Arguments, DefaultsAreThoseOfTheHelp)
   EXPECT_EQ(settings.scene.threads, 0);
   EXPECT_EQ(settings.scene.resolution, (std::array<int, 2>{ 1000, 600 }));
   EXPECT_EQ(settings.scene.material.shading, Shading::Phong);
-  EXPECT_EQ(settings.scene.material.reflection, Reflection::BlinnPhong);
+  EXPECT_EQ(settings.scene.material.reflection, std::nullopt);
   EXPECT_EQ(settings.scene.material.tone, Tone::None);
   EXPECT_EQ(settings.scene.material.outline, Outline::None);
   EXPECT_TRUE(settings.scene.lights.empty());
@@ -144,8 +144,14 @@ TEST(Arguments, ReflectionOptionsThatWouldShowNothingAreRefused)
     { { "--rim=1,1,1", "--reflection=none" },
       "--rim needs another --reflection than none or metallic" },
     { { "--rim-power=2" }, "--rim-power needs --rim=r,g,b" },
-    { { "--model=2", "--reflection=lambert" },
+    { { "--model=2", "--reflection=blinn-phong" },
       "--model and --reflection exclude each other; give one" },
+    { { "--model=4", "--fresnel" }, "--fresnel and --model exclude each other; give one" },
+    { { "--model=1", "--rim=1,1,1" }, "--rim and --model exclude each other; give one" },
+    { { "--model=1", "--tone=gooch" }, "--model and --tone exclude each other; give one" },
+    { { "--rim=1,1,1", "--tone=gooch" }, "--rim and --tone exclude each other; give one" },
+    { { "--fresnel", "--tone=gooch-chapter" },
+      "--fresnel and --tone exclude each other; give one" },
     { { "--roughness=1.5", "--reflection=oren-nayar" }, "--roughness=1.5 is not from 0 to 1" },
     { { "--refractive-index=0.9", "--fresnel" },
       "--refractive-index=0.9 is not at least 1, the index of air" },

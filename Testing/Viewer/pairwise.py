@@ -32,6 +32,9 @@ CHOICES = {
         ["--reflection=oren-nayar", "--roughness=0.8"],
         ["--reflection=metallic", "--metallic=0.7", "--roughness=0.4"],
         ["--model=4"],
+        # In place of a reflection: most options of those exclude a tone.
+        ["--tone=gooch"],
+        ["--tone=gooch-chapter"],
     ],
     "texture": [
         [],
@@ -45,7 +48,6 @@ CHOICES = {
         ["--procedural=wood", "--procedural-scale=4"],
     ],
     "frequency": [["--shading=" + name] for name in ("flat", "gouraud", "phong")],
-    "tone": [["--tone=" + name] for name in ("none", "gooch", "gooch-chapter")],
     "camera": [[], ["--camera-orthographic"]],
     "samples": [["--samples=" + n] for n in ("1", "2", "4", "8")],
 }

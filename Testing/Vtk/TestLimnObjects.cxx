@@ -51,6 +51,11 @@ void checkPropertyCopy()
   vtkNew<vtkLimnProperty> property;
   property->SetShadingFrequencyToGouraud();
   property->SetReflectionModelToPhong();
+  property->FresnelOn();
+  property->SetRefractiveIndex(1.1, 1.2, 1.3);
+  property->SetRimColor(0.3, 0.2, 0.1);
+  property->SetRimPower(4);
+  property->FallOffOff();
   property->SetToneToGooch();
   property->SetCoolColor(0.1, 0.2, 0.3);
   property->SetWarmColor(0.4, 0.5, 0.6);
@@ -85,6 +90,8 @@ void checkPropertyCopy()
 
   property->SetShadingFrequency(99);
   CHECK_EQUAL(property->GetShadingFrequency(), int(vtkLimnProperty::FREQUENCY_PHONG));
+  property->SetReflectionModel(99);
+  CHECK_EQUAL(std::string(property->GetReflectionModelAsString()), "Local5");
   property->SetOutlineThreshold(-1);
   CHECK_EQUAL(property->GetOutlineThreshold(), 0.0);
   const vtkMTimeType time = property->GetMTime();

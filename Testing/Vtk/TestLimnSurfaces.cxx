@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
@@ -257,10 +258,63 @@ void checkStyles()
   // Only where |n.v| is below the threshold, and here it is 1.
   CHECK_EQUAL(colorWith(outlined), (Pixel{ 102, 102, 102 }));
 }
+
+// One property, looked at through all of them in turn: none leaves a trace in the next.
+void checkLocalModels()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(twoSquares());
+  stage.Renderer->SetAmbient(0.5, 0.5, 0.5);
+  stage.Renderer->AutomaticLightCreationOff();
+  vtkNew<vtkLight> lamp;
+  lamp->SetLightTypeToSceneLight();
+  lamp->PositionalOn();
+  lamp->SetConeAngle(180);
+  lamp->SetPosition(20, 20, 1000);
+  lamp->SetAttenuationValues(4, 0, 0);
+  stage.Renderer->AddLight(lamp);
+  auto* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+  property->LightingOn();
+  property->SetAmbient(1);
+  property->SetColor(0, 0.4, 0);
+  property->SetAmbientColor(0.4, 0.2, 0);
+  property->SetSpecular(1);
+  property->SetSpecularColor(0, 0, 1);
+  property->SetFresnel(true);
+  property->SetRimColor(1, 1, 1);
+  property->SetRimPower(0);
+  const auto shows = [&](int model, double r, double g, double b)
+  {
+    property->SetReflectionModel(model);
+    const Pixel pixel = render(stage.Window).At(20, 20);
+    const double expected[3] = { r, g, b };
+    for (int i = 0; i < 3; ++i)
+    {
+      CHECK(std::abs(pixel[i] - 255 * expected[i]) < 1.0);
+    }
+  };
+  const double ambient = 0.5 * (0.2126 * 0.4 + 0.7152 * 0.2);
+  const double matt = 0.7152 * 0.4;
+  const double glossy = 0.0722;
+  for (int round = 0; round < 2; ++round)
+  {
+    const double two = ambient + matt;
+    const double three = ambient + matt / 4;
+    const double four = ambient + (matt + glossy) / 4;
+    shows(vtkLimnProperty::REFLECTION_LOCAL_1, ambient, ambient, ambient);
+    shows(vtkLimnProperty::REFLECTION_LOCAL_2, two, two, two);
+    shows(vtkLimnProperty::REFLECTION_LOCAL_3, three, three, three);
+    shows(vtkLimnProperty::REFLECTION_LOCAL_4, four, four, four);
+    shows(
+      vtkLimnProperty::REFLECTION_LOCAL_5, 0.2 + glossy / 4, 0.1 + (0.4 + glossy) / 4, glossy / 4);
+  }
+}
 }
 
 int TestLimnSurfaces(int, char*[])
 {
+  checkLocalModels();
   checkPolygonsAndStrips();
   checkPointTypes();
   checkOrder();

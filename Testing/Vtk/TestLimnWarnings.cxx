@@ -7,6 +7,8 @@
 #include "Picture.h"
 #include "Stage.h"
 
+#include "vtkLimnProperty.h"
+
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
@@ -205,6 +207,37 @@ void checkBrokenProperty()
   }
 }
 
+/// As checkBrokenProperty, for what only vtkLimnProperty has.
+void checkBrokenReflection()
+{
+  const struct
+  {
+    const char* message;
+    void (*spoil)(vtkLimnProperty*);
+  } cases[] = {
+    { "RimColor of its vtkLimnProperty has the value -1; it has to be a finite number, not "
+      "negative.",
+      [](vtkLimnProperty* property) { property->SetRimColor(0, -1, 0); } },
+    { "RimPower of its vtkLimnProperty has the value -2; it has to be a finite number, not "
+      "negative.",
+      [](vtkLimnProperty* property) { property->SetRimPower(-2); } },
+    { "RefractiveIndex of its vtkLimnProperty has the value 0.9; it has to be a finite number, at "
+      "least 1.",
+      [](vtkLimnProperty* property) { property->SetRefractiveIndex(1.5, 0.9, 1.5); } },
+  };
+  for (const auto& one : cases)
+  {
+    Stage stage;
+    stage.LookFlat();
+    stage.Mapper->SetInputData(twoSquares());
+    one.spoil(vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty()));
+    Messages messages;
+    CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 0);
+    CHECK_EQUAL(messages.Count(one.message), 1);
+    CHECK_EQUAL(messages.Count("Instance"), 0);
+  }
+}
+
 void checkMissingInput()
 {
   Stage stage;
@@ -238,6 +271,7 @@ int TestLimnWarnings(int, char*[])
   checkFlattenedMeshes();
   checkBrokenActor();
   checkBrokenProperty();
+  checkBrokenReflection();
   checkMissingInput();
   checkBrokenLight();
   return result();

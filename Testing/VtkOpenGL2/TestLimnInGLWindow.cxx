@@ -534,36 +534,91 @@ void AddLamps(vtkRenderer* renderer)
 }
 }
 
+namespace
+{
+void MakePhysicallyBased(vtkProperty* property, const Metal& metal)
+{
+  property->SetInterpolationToPBR();
+  property->SetMetallic(metal.Metallic);
+  property->SetRoughness(metal.Roughness);
+  property->SetBaseIOR(metal.Index);
+  property->SetEdgeTint(0.5, 0.8, 1.0);
+  property->SetAmbient(0.3);
+}
+
+void ExpectMetalAsInOpenGL(
+  const Metal& metal, const std::string& name, void (*arrange)(vtkRenderer*, vtkActor*))
+{
+  Picture pictures[2];
+  for (int mixed : { 0, 1 })
+  {
+    GLScene scene(0);
+    vtkSmartPointer<vtkActor> sphere = MakeSphere(mixed ? MakeLimnActor : MakeGLActor);
+    MakePhysicallyBased(sphere->GetProperty(), metal);
+    scene.Renderer->AddActor(sphere);
+    arrange(scene.Renderer, sphere);
+    pictures[mixed] = scene.Render();
+  }
+  EXPECT_EQ(CountDifferent(pictures[0], pictures[1], 1), 0)
+    << metal.Metallic << ' ' << metal.Roughness << ' ' << name;
+}
+
+void AddSun(vtkRenderer* renderer, double x, double y, double z)
+{
+  vtkNew<vtkLight> sun;
+  sun->SetLightTypeToSceneLight();
+  sun->SetPosition(x, y, z);
+  sun->SetColor(1.0, 0.8, 0.7);
+  renderer->AddLight(sun);
+}
+}
+
 TEST(LimnInGLWindow, PhysicallyBasedMaterialsLookAsInOpenGL)
 {
-  for (const bool hasLamps : { false, true })
+  for (const Metal& metal : { Metal{ 0.0, 0.4, 1.5 }, Metal{ 1.0, 0.3, 1.5 },
+         Metal{ 0.5, 0.6, 2.0 }, Metal{ 0.2, 0.0, 1.5 } })
   {
-    for (const Metal& metal : { Metal{ 0.0, 0.4, 1.5 }, Metal{ 1.0, 0.3, 1.5 },
-           Metal{ 0.5, 0.6, 2.0 }, Metal{ 0.2, 0.0, 1.5 } })
-    {
-      Picture pictures[2];
-      for (int mixed : { 0, 1 })
-      {
-        GLScene scene(0);
-        vtkSmartPointer<vtkActor> sphere = MakeSphere(mixed ? MakeLimnActor : MakeGLActor);
-        vtkProperty* property = sphere->GetProperty();
-        property->SetInterpolationToPBR();
-        property->SetMetallic(metal.Metallic);
-        property->SetRoughness(metal.Roughness);
-        property->SetBaseIOR(metal.Index);
-        property->SetEdgeTint(0.5, 0.8, 1.0);
-        property->SetAmbient(0.3);
-        scene.Renderer->AddActor(sphere);
-        if (hasLamps)
-        {
-          AddLamps(scene.Renderer);
-        }
-        pictures[mixed] = scene.Render();
-      }
-      EXPECT_EQ(CountDifferent(pictures[0], pictures[1], 1), 0)
-        << metal.Metallic << ' ' << metal.Roughness << ' ' << hasLamps;
-    }
+    ExpectMetalAsInOpenGL(metal, "headlight", [](vtkRenderer*, vtkActor*) {});
+    ExpectMetalAsInOpenGL(
+      metal, "lamps", [](vtkRenderer* renderer, vtkActor*) { AddLamps(renderer); });
   }
+}
+
+TEST(LimnInGLWindow, PhysicallyBasedMaterialsLookAsInOpenGLInOtherLights)
+{
+  const Metal metal = { 0.4, 0.5, 1.7 };
+  ExpectMetalAsInOpenGL(metal, "parallel projection",
+    [](vtkRenderer* renderer, vtkActor*)
+    {
+      renderer->GetActiveCamera()->ParallelProjectionOn();
+      renderer->GetActiveCamera()->SetParallelScale(1.0);
+    });
+  ExpectMetalAsInOpenGL(metal, "two suns",
+    [](vtkRenderer* renderer, vtkActor*)
+    {
+      AddSun(renderer, 2.0, 3.0, 2.0);
+      AddSun(renderer, -2.0, 1.0, 0.5);
+    });
+  ExpectMetalAsInOpenGL(metal, "dim light from the eye",
+    [](vtkRenderer* renderer, vtkActor*)
+    {
+      vtkNew<vtkLight> light;
+      light->SetLightTypeToHeadlight();
+      light->SetColor(0.9, 0.6, 0.3);
+      light->SetIntensity(0.5);
+      renderer->AddLight(light);
+    });
+  ExpectMetalAsInOpenGL(metal, "darker by its coefficient",
+    [](vtkRenderer*, vtkActor* sphere) { sphere->GetProperty()->SetDiffuse(0.6); });
+  ExpectMetalAsInOpenGL(metal, "coloured by data",
+    [](vtkRenderer*, vtkActor* sphere)
+    {
+      vtkNew<vtkElevationFilter> heights;
+      heights->SetInputConnection(sphere->GetMapper()->GetInputConnection(0, 0));
+      heights->SetLowPoint(0.0, -0.7, 0.0);
+      heights->SetHighPoint(0.0, 0.7, 0.0);
+      sphere->GetMapper()->SetInputConnection(heights->GetOutputPort());
+    });
 }
 
 TEST(LimnInGLWindow, AnswersHardwareSelectors)

@@ -48,6 +48,15 @@ ShadingFrequency toFrequency(int frequency)
   }
 }
 
+/// Of the local models; 0 for all others.
+int localModelOf(vtkLimnProperty* property)
+{
+  const int model = property->GetReflectionModel();
+  return model >= vtkLimnProperty::REFLECTION_LOCAL_1
+           ? model - vtkLimnProperty::REFLECTION_LOCAL_1 + 1
+           : 0;
+}
+
 Reflection toReflection(int model)
 {
   switch (model)
@@ -55,10 +64,15 @@ Reflection toReflection(int model)
     case vtkLimnProperty::REFLECTION_NONE:
       return Reflection::kNone;
     case vtkLimnProperty::REFLECTION_LAMBERT:
+    case vtkLimnProperty::REFLECTION_LOCAL_1:
+    case vtkLimnProperty::REFLECTION_LOCAL_2:
+    case vtkLimnProperty::REFLECTION_LOCAL_3:
       return Reflection::kLambert;
     case vtkLimnProperty::REFLECTION_BLINN_PHONG:
       return Reflection::kBlinnPhong;
     case vtkLimnProperty::REFLECTION_PHONG:
+    case vtkLimnProperty::REFLECTION_LOCAL_4:
+    case vtkLimnProperty::REFLECTION_LOCAL_5:
       return Reflection::kPhong;
     case vtkLimnProperty::REFLECTION_IRRADIANCE:
       return Reflection::kIrradiance;
@@ -87,8 +101,9 @@ Tone toTone(int tone)
 void setIllustration(vtkLimnProperty* property, Style& style)
 {
   style.reflection = toReflection(property->GetReflectionModel());
-  style.fresnel = property->GetFresnel();
-  style.fallOff = property->GetFallOff();
+  const int local = localModelOf(property);
+  style.fresnel = property->GetFresnel() && local == 0;
+  style.fallOff = property->GetFallOff() && (local == 0 || local >= 3);
   style.tone = toTone(property->GetTone());
   style.toneCool = toVec3f(property->GetCoolColor());
   style.toneWarm = toVec3f(property->GetWarmColor());
@@ -100,6 +115,51 @@ void setIllustration(vtkLimnProperty* property, Style& style)
     style.outlineColor = toVec3f(property->GetOutlineColor());
   }
 }
+
+/// By ITU-R BT.709.
+Vec3f greyOf(Vec3f color)
+{
+  const auto luminance = static_cast<float>(0.2126 * color.x + 0.7152 * color.y + 0.0722 * color.z);
+  return { luminance, luminance, luminance };
+}
+
+void setLocalModel(int version, Material& material)
+{
+  material.specularColor = greyOf(material.specularColor);
+  if (version < 5)
+  {
+    material.ambientColor = greyOf(material.ambientColor);
+    material.diffuseColor = greyOf(material.diffuseColor);
+  }
+  if (version == 1)
+  {
+    material.diffuse = 0;
+  }
+}
+
+void setReflection(vtkLimnProperty* property, Material& material)
+{
+  if (const int local = localModelOf(property))
+  {
+    setLocalModel(local, material);
+    return;
+  }
+  material.rim = toVec3f(property->GetRimColor());
+  material.rimPower = static_cast<float>(property->GetRimPower());
+  const Reflection reflection = toReflection(property->GetReflectionModel());
+  if (reflection != Reflection::kMetallicRoughness && reflection != Reflection::kAsVtk)
+  {
+    material.refractiveIndex = toVec3f(property->GetRefractiveIndex());
+  }
+}
+
+/// Of a property's one member.
+struct Values
+{
+  const char* name;
+  Span<const double> values;
+  double least = 0;
+};
 
 } // namespace
 
@@ -118,15 +178,9 @@ Material materialOf(vtkProperty* property)
   material.edgeTint = toVec3f(property->GetEdgeTint());
   const double index = property->GetBaseIOR();
   material.refractiveIndex = toVec3f(std::array<double, 3>{ index, index, index }.data());
-  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
-  if (limn)
+  if (vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property))
   {
-    material.rim = toVec3f(limn->GetRimColor());
-    material.rimPower = static_cast<float>(limn->GetRimPower());
-  }
-  if (limn && limn->GetFresnel())
-  {
-    material.refractiveIndex = toVec3f(limn->GetRefractiveIndex());
+    setReflection(limn, material);
   }
   return material;
 }
@@ -171,11 +225,10 @@ std::string unusableValueOf(vtkProperty* property)
   const double roughness = property->GetRoughness();
   const double metallic = property->GetMetallic();
   const double index = property->GetBaseIOR();
-  const struct
-  {
-    const char* name;
-    Span<const double> values;
-  } all[] = {
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  const double none[3] = { 1, 1, 1 };
+  const double rimPower = limn ? limn->GetRimPower() : 1;
+  const Values all[] = {
     { "AmbientColor", { property->GetAmbientColor(), 3 } },
     { "DiffuseColor", { property->GetDiffuseColor(), 3 } },
     { "SpecularColor", { property->GetSpecularColor(), 3 } },
@@ -185,16 +238,20 @@ std::string unusableValueOf(vtkProperty* property)
     { "SpecularPower", { &power, 1 } },
     { "Roughness", { &roughness, 1 } },
     { "Metallic", { &metallic, 1 } },
-    { "BaseIOR", { &index, 1 } },
     { "EdgeTint", { property->GetEdgeTint(), 3 } },
+    { "BaseIOR", { &index, 1 }, 1 },
+    { "RimColor", { limn ? limn->GetRimColor() : none, 3 } },
+    { "RimPower", { &rimPower, 1 } },
+    { "RefractiveIndex", { limn ? limn->GetRefractiveIndex() : none, 3 }, 1 },
   };
-  for (const auto& one : all)
+  for (const Values& one : all)
   {
     for (const double value : one.values)
     {
-      if (!std::isfinite(value) || value < 0)
+      if (!std::isfinite(value) || value < one.least)
       {
-        return fault(property, one.name, value, "a finite number, not negative");
+        return fault(property, one.name, value,
+          one.least > 0 ? "a finite number, at least 1" : "a finite number, not negative");
       }
     }
   }
