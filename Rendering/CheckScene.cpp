@@ -49,6 +49,29 @@ Status checkFrame(const Scene& scene, const FrameView& frame)
   return {};
 }
 
+bool isPositional(LightKind kind)
+{
+  return kind != LightKind::kHeadlight && kind != LightKind::kDirectional;
+}
+
+bool isArea(LightKind kind)
+{
+  return kind == LightKind::kRectangle || kind == LightKind::kSphere;
+}
+
+Status checkShape(const Light& light, const std::string& name)
+{
+  if (light.samples < 1)
+    return {Error::kInvalidLight,
+            name + " has " + std::to_string(light.samples) + " samples; give it at least one."};
+  if (light.kind == LightKind::kSphere && !(std::isfinite(light.radius) && light.radius > 0))
+    return {Error::kInvalidLight, name + " is a sphere whose radius is not above 0."};
+  const Vec3d facing = cross(light.halfSide[0], light.halfSide[1]);
+  if (light.kind == LightKind::kRectangle && (!isFinite(facing) || facing == Vec3d{0, 0, 0}))
+    return {Error::kInvalidLight, name + " is a rectangle without an area."};
+  return {};
+}
+
 Status checkLight(const Light& light, std::size_t number)
 {
   const std::string name = "Light " + std::to_string(number);
@@ -58,8 +81,11 @@ Status checkLight(const Light& light, std::size_t number)
     return {Error::kNotFinite, name + " has a value that is not a finite number."};
   if (!isNotNegative(light.color) || !isNotNegative(light.attenuation) || light.exponent < 0)
     return {Error::kNotFinite, name + " has a negative colour, attenuation or exponent."};
-  const bool positional = light.kind == LightKind::kPoint || light.kind == LightKind::kSpot;
-  if (positional && light.attenuation == Vec3f{0, 0, 0})
+  const bool isPower = light.unit == LightUnit::kPower;
+  if (isPower && !isPositional(light.kind))
+    return {Error::kInvalidLight,
+            name + " is directional and has no power; give it an intensity or a position."};
+  if (isPositional(light.kind) && !isPower && light.attenuation == Vec3f{0, 0, 0})
     return {Error::kNotFinite, name +
                                    " has attenuation (0, 0, 0), a division by zero; the inverse "
                                    "square law is (0, 0, 1)."};
@@ -68,6 +94,23 @@ Status checkLight(const Light& light, std::size_t number)
     return {Error::kNotFinite, name + " has the direction (0, 0, 0)."};
   if (light.kind == LightKind::kSpot && !(light.coneDegrees >= 0 && light.coneDegrees <= 90))
     return {Error::kNotFinite, name + " has a cone angle outside 0 to 90 degrees."};
+  if (light.kind == LightKind::kSpot &&
+      !(light.softDegrees >= 0 && light.softDegrees <= light.coneDegrees))
+    return {Error::kInvalidLight, name + " has a soft edge that is not 0 to its cone angle wide."};
+  return isArea(light.kind) ? checkShape(light, name) : Status{};
+}
+
+Status checkLights(Span<const Light> lights)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (Status status = checkLight(lights[i], i); !status.ok()) return status;
+    count += isArea(lights[i].kind) ? static_cast<std::size_t>(lights[i].samples) : 1;
+  }
+  if (count > kMaxLights)
+    return {Error::kInvalidLight, std::to_string(count) + " lights, each sample of an area light " +
+                                      "counted, are more than " + std::to_string(kMaxLights) +
+                                      "; take fewer lights or samples."};
   return {};
 }
 
@@ -123,8 +166,8 @@ Status checkAttributes(const Instance& instance, MeshSizes sizes, InstanceName n
     return checkSize(a.cells.size(), sizes.triangles, name, ": cells of triangles");
   const std::size_t cells = a.cells.empty() ? sizes.triangles : a.cellCount;
   const bool flat = style.frequency == ShadingFrequency::kFlat;
-  if (flat && (a.faceCentroids.empty() || a.faceNormals.empty()) && sizes.triangles > 0)
-    return {Error::kMissingData, name + ": flat shading needs face centroids and normals."};
+  if (flat && (a.facePoints.empty() || a.faceNormals.empty()) && sizes.triangles > 0)
+    return {Error::kMissingData, name + ": flat shading needs points and normals of faces."};
   if (!flat && style.normals == NormalSource::kVertex && a.vertexNormals.empty() &&
       sizes.triangles > 0)
     return {Error::kMissingData, name + ": the style asks for vertex normals that are not there."};
@@ -133,14 +176,16 @@ Status checkAttributes(const Instance& instance, MeshSizes sizes, InstanceName n
   const struct {
     std::size_t size, needed;
     const char* what;
-  } checks[] = {{a.vertexNormals.size(), sizes.vertices, ": vertex normals"},
-                {a.cellNormals.size(), cells, ": cell normals"},
-                {a.vertexColors.size(), sizes.vertices, ": vertex colours"},
-                {a.cellColors.size(), cells, ": cell colours"},
-                {a.faceCentroids.size(), cells, ": face centroids"},
-                {a.faceNormals.size(), cells, ": face normals"},
-                {a.uv.size(), sizes.vertices, ": texture coordinates"},
-                {a.uv2.size(), sizes.vertices, ": second texture coordinates"}};
+  } checks[] = {
+      {a.normalOfCorner.empty() ? a.vertexNormals.size() : 0, sizes.vertices, ": vertex normals"},
+      {a.normalOfCorner.size(), 3 * sizes.triangles, ": normals of corners"},
+      {a.cellNormals.size(), cells, ": cell normals"},
+      {a.vertexColors.size(), sizes.vertices, ": vertex colours"},
+      {a.cellColors.size(), cells, ": cell colours"},
+      {a.facePoints.size(), cells, ": points of faces"},
+      {a.faceNormals.size(), cells, ": face normals"},
+      {a.uv.size(), sizes.vertices, ": texture coordinates"},
+      {a.uv2.size(), sizes.vertices, ": second texture coordinates"}};
   for (const auto& check : checks)
     if (Status status = checkSize(check.size, check.needed, name, check.what); !status.ok())
       return status;
@@ -226,8 +271,7 @@ Status checkScene(const Scene& scene, const FrameView& frame, Backend backend)
     return {Error::kNotFinite, "A camera matrix has a value that is not a finite number."};
   if (!isNotNegative(scene.ambientLight))
     return {Error::kNotFinite, "The ambient light is negative or not finite."};
-  for (std::size_t i = 0; i < scene.lights.size(); ++i)
-    if (Status status = checkLight(scene.lights[i], i); !status.ok()) return status;
+  if (Status status = checkLights(scene.lights); !status.ok()) return status;
   std::size_t clusters = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     if (Status status = checkInstance(scene.instances[i], i, backend); !status.ok()) return status;

@@ -42,8 +42,8 @@ struct RenderStats {
 
 /// Draws `scene` into `frame`. The picture depends on the scene and the frame's old content only:
 /// not on the backend, the threads, the instruction set or earlier calls. Errors:
-/// kInvalidImageSize, kInvalidSampleCount, kNotFinite (a matrix, light or material), kSizeMismatch,
-/// kMissingData, kTooManyPrimitives. On an error nothing is drawn.
+/// kInvalidImageSize, kInvalidSampleCount, kInvalidLight, kNotFinite (a matrix, light or material),
+/// kSizeMismatch, kMissingData, kTooManyPrimitives. On an error nothing is drawn.
 Status render(const Scene& scene, const FrameView& frame, const RenderOptions& options = {},
               RenderStats* stats = nullptr);
 

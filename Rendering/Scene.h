@@ -33,23 +33,47 @@ enum class LightKind : std::uint8_t {
   kDirectional,  ///< parallel rays; intensity does not fall off
   kPoint,        ///< from `position` in all directions
   kSpot,         ///< from `position`, inside a cone around `direction`
+  /// From `samples` points of the parallelogram about `position`, to the side of
+  /// halfSide[0] x halfSide[1] only: each sends the cosine to that direction, as a glowing surface
+  /// does that is matt. `color` is for the direction straight ahead.
+  kRectangle,
+  kSphere,  ///< from `samples` points of the ball about `position`, in all directions
 };
+
+enum class LightUnit : std::uint8_t {
+  kIntensity,  ///< I, for a directional light the irradiance
+  /// P, sent out in all, not of headlight and directional: I = P / 4 pi (Fundamentals of Computer
+  /// Graphics, 5.1), of a rectangle P / pi straight ahead. A spot is a point light in a screen:
+  /// what its cone does not let pass is lost. Falls off by 1 / r^2, whatever `attenuation` says.
+  kPower,
+};
+
+/// Most lights of a scene, each sample of a rectangle or sphere counted as one.
+inline constexpr std::size_t kMaxLights = 65536;
 
 struct Light {
   LightKind kind = LightKind::kHeadlight;
   Vec3d position = {0, 0, 1};    ///< world
   Vec3d direction = {0, 0, -1};  ///< world, the way the light travels; any length but zero
-  Vec3f color = {1, 1, 1};       ///< intensity per channel, >= 0, may exceed 1
-  /// Point and spot: colour times 1 / (a + b r + c r^2). (0, 0, 1) is the chapter's I_p / r^2, and
-  /// (1, 0, 0), VTK's default, no fall-off.
+  Vec3f color = {1, 1, 1};       ///< by `unit`, per channel, >= 0, may exceed 1
+  LightUnit unit = LightUnit::kIntensity;
+  /// All but headlight and directional: colour times 1 / (a + b r + c r^2). (0, 0, 1) is the
+  /// chapter's I_p / r^2, and (1, 0, 0), VTK's default, no fall-off.
   Vec3f attenuation = {0, 0, 1};
-  float coneDegrees = 30;  ///< spot: half angle of the cone, 0 to 90; hard edge
+  float coneDegrees = 30;  ///< spot: half angle of the cone, 0 to 90
   float exponent = 1;      ///< spot: colour times cos(angle to the axis)^exponent
+  /// Spot: width of the band inside the cone in which the light fades, 0 to coneDegrees: colour
+  /// times t^2 (3 - 2 t), where t goes from 0 to 1 with the cosine. 0: a hard edge.
+  float softDegrees = 0;
+  /// Rectangle: from `position` to the middle of two of its sides; world, not parallel.
+  Vec3d halfSide[2] = {{1, 0, 0}, {0, 1, 0}};
+  double radius = 1;  ///< sphere: > 0; world
+  int samples = 16;   ///< rectangle and sphere: lights that share the colour, > 0
 };
 
 /// How often a light equation is evaluated.
 enum class ShadingFrequency : std::uint8_t {
-  kFlat,     ///< once per face, at its centroid with the face normal; needs FaceGeometry arrays
+  kFlat,     ///< once per face, at Attributes::facePoints with the face normal
   kGouraud,  ///< once per vertex; colours are interpolated with (12.4)
   kPhong,    ///< once per pixel; normals are interpolated with (12.4) and renormalised
 };
@@ -126,18 +150,23 @@ struct Style {
 
 /// Values on a mesh. Sizes: one per vertex or one per cell of the MeshView, or empty.
 struct Attributes {
-  Span<const Vec3f> vertexNormals;  ///< need not be unit
+  Span<const Vec3f> vertexNormals;  ///< need not be unit; with normalOfCorner: any number
   Span<const Vec3f> cellNormals;
   /// Replace the material's diffuse and ambient *colours*; vertex colours win over cell colours.
   /// Alpha is not read.
   Span<const Rgba8> vertexColors;
   Span<const Rgba8> cellColors;
-  Span<const Vec3d> faceCentroids;  ///< FaceGeometry, per cell
+  /// Where flat shading lights a face, per cell: FaceGeometry::centroid, or firstCorners().
+  Span<const Vec3d> facePoints;
   Span<const Vec3f> faceNormals;    ///< FaceGeometry, per cell
   Span<const std::uint32_t> cells;  ///< cell of each triangle; empty: triangle t is cell t
   std::size_t cellCount = 0;        ///< with `cells`: required to be above every one of them
   /// Texture coordinates, per vertex; one that is not finite counts as 0.
   Span<const Vec2f> uv = {}, uv2 = {};
+  /// Three a triangle: which of vertexNormals its corners have, so that a vertex may have several;
+  /// see splitVertexNormals(). Required to be numbers of such that are there. Empty: that of the
+  /// vertex.
+  Span<const std::uint32_t> normalOfCorner = {};
 };
 
 /// One mesh in the world. Draw order is the order in Scene::instances, then of the triangles.

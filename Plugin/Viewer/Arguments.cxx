@@ -76,6 +76,21 @@ void checkIllustration(const MaterialSettings& material)
   }
 }
 
+/// For a picture alone: in a window keys choose the shading.
+void checkShading(const MaterialSettings& material)
+{
+  const bool isFlat = material.shading == Shading::Flat;
+  if (material.flatPoint && !isFlat)
+  {
+    throw UserError("--flat-point needs --shading=flat");
+  }
+  if (isFlat && (material.normals || material.featureAngleDegrees))
+  {
+    throw UserError(std::string(material.normals ? "--normals" : "--feature-angle") +
+                    " and --shading=flat exclude each other; give one");
+  }
+}
+
 bool isGrey(const Color& color)
 {
   return color[0] == color[1] && color[1] == color[2];
@@ -255,6 +270,7 @@ Request parseRender(const Arguments& arguments)
     return HelpRequest{ options.help() };
   }
   checkScene(scene, "render");
+  checkShading(scene.material);
   checkIllustration(scene.material);
   checkEffects(settings);
   checkReflection(scene.material);

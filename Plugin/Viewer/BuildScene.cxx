@@ -8,11 +8,12 @@
 #include "UserError.h"
 
 #include "vtkLimnActor.h"
+#include "vtkLimnLight.h"
 #include "vtkLimnPolyDataMapper.h"
 #include "vtkLimnProperty.h"
 
 #include <vtkCamera.h>
-#include <vtkLight.h>
+#include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
@@ -34,6 +35,33 @@ int shadingFrequencyOf(Shading shading)
       break;
   }
   return vtkLimnProperty::FREQUENCY_PHONG;
+}
+
+int normalsOf(Normals normals)
+{
+  switch (normals)
+  {
+    case Normals::Uniform:
+      return vtkLimnProperty::NORMALS_UNIFORM;
+    case Normals::Area:
+      return vtkLimnProperty::NORMALS_BY_AREA;
+    case Normals::Angle:
+      return vtkLimnProperty::NORMALS_BY_ANGLE;
+    case Normals::Data:
+      break;
+  }
+  return vtkLimnProperty::NORMALS_FROM_DATA;
+}
+
+void setShading(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  property.SetShadingFrequency(shadingFrequencyOf(material.shading));
+  property.SetFlatPoint(material.flatPoint == FlatPoint::FirstVertex
+                          ? vtkLimnProperty::FLAT_AT_FIRST_VERTEX
+                          : vtkLimnProperty::FLAT_AT_CENTROID);
+  property.SetVertexNormals(normalsOf(material.normals.value_or(Normals::Data)));
+  constexpr double kNoFeatures = 180;
+  property.SetFeatureAngle(material.featureAngleDegrees.value_or(kNoFeatures));
 }
 
 int reflectionModelOf(const MaterialSettings& material)
@@ -123,9 +151,44 @@ void setIllustration(const MaterialSettings& material, vtkLimnProperty& property
   property.SetOutlineColor(material.outlineColor.value_or(Color{ 0, 0, 0 }).data());
 }
 
+void setRectangle(const LightSettings& settings, vtkLimnLight& light)
+{
+  auto [a, b] = settings.sides;
+  light.SetShapeToRectangle();
+  light.SetWidth(vtkMath::Normalize(a.data()));
+  light.SetHeight(vtkMath::Normalize(b.data()));
+  light.SetViewUp(b.data());
+  double ahead[3];
+  vtkMath::Cross(a.data(), b.data(), ahead);
+  const Vector3& from = settings.position;
+  light.SetFocalPoint(from[0] + ahead[0], from[1] + ahead[1], from[2] + ahead[2]);
+}
+
+void setPosition(const LightSettings& settings, vtkLimnLight& light)
+{
+  const bool isSpot = settings.kind == LightKind::Spot;
+  constexpr double kNoCone = 180;
+  light.PositionalOn();
+  light.SetUnit(settings.isPower ? vtkLimnLight::UNIT_POWER : vtkLimnLight::UNIT_INTENSITY);
+  light.SetAttenuationValues(settings.attenuation.data());
+  light.SetConeAngle(isSpot ? settings.coneDegrees : kNoCone);
+  light.SetExponent(isSpot ? settings.exponent : 0);
+  light.SetSoftEdgeAngle(settings.softDegrees);
+  light.SetSamples(settings.samples);
+  if (settings.kind == LightKind::Rectangle)
+  {
+    setRectangle(settings, light);
+  }
+  else if (settings.kind == LightKind::Sphere)
+  {
+    light.SetShapeToSphere();
+    light.SetRadius(settings.radius);
+  }
+}
+
 vtkSmartPointer<vtkLight> makeLight(const LightSettings& settings)
 {
-  auto light = vtkSmartPointer<vtkLight>::New();
+  auto light = vtkSmartPointer<vtkLimnLight>::New();
   light->SetColor(settings.color.data());
   if (settings.kind == LightKind::Headlight)
   {
@@ -139,11 +202,7 @@ vtkSmartPointer<vtkLight> makeLight(const LightSettings& settings)
   light->SetFocalPoint(from[0] + along[0], from[1] + along[1], from[2] + along[2]);
   if (settings.kind != LightKind::Directional)
   {
-    constexpr double kNoCone = 180;
-    light->PositionalOn();
-    light->SetAttenuationValues(0, 0, 1);
-    light->SetConeAngle(settings.kind == LightKind::Spot ? settings.coneDegrees : kNoCone);
-    light->SetExponent(settings.kind == LightKind::Spot ? settings.exponent : 0);
+    setPosition(settings, *light);
   }
   return light;
 }
@@ -209,7 +268,7 @@ void applyMaterial(const MaterialSettings& material, vtkLimnProperty& property)
 {
   setReflectance(material, property);
   setIllustration(material, property);
-  property.SetShadingFrequency(shadingFrequencyOf(material.shading));
+  setShading(material, property);
   setReflection(material, property);
   property.SetBackfaceCulling(material.backfaceCulling);
 }

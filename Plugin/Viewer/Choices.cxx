@@ -12,6 +12,20 @@ const Choices<Shading>& shadings()
   return choices;
 }
 
+const Choices<FlatPoint>& flatPoints()
+{
+  static const Choices<FlatPoint> choices = { { "centroid", FlatPoint::Centroid },
+    { "first-vertex", FlatPoint::FirstVertex } };
+  return choices;
+}
+
+const Choices<Normals>& normalSources()
+{
+  static const Choices<Normals> choices = { { "data", Normals::Data },
+    { "uniform", Normals::Uniform }, { "area", Normals::Area }, { "angle", Normals::Angle } };
+  return choices;
+}
+
 const Choices<Reflection>& reflections()
 {
   static const Choices<Reflection> choices = { { "none", Reflection::None },

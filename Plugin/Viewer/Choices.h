@@ -12,6 +12,8 @@ namespace limn::viewer
 {
 
 const Choices<Shading>& shadings();
+const Choices<FlatPoint>& flatPoints();
+const Choices<Normals>& normalSources();
 const Choices<Reflection>& reflections();
 const Choices<Tone>& tones();
 const Choices<Outline>& outlines();

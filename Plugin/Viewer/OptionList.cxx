@@ -18,7 +18,6 @@ const std::map<std::string, std::string>& unservedOptions()
   static const std::map<std::string, std::string> options = {
     { "--toon-steps", "use --tone=gooch" },
     { "--outline-width", "use --outline=normal" },
-    { "--feature-angle", "use --shading=flat for sharp edges" },
     { "--edges", "leave it out" },
     { "--line-width", "leave it out" },
     { "--point-size", "leave it out" },

@@ -135,43 +135,150 @@ std::optional<LightSettings> directionalFrom(const std::vector<std::string>& par
   return light;
 }
 
-std::optional<LightSettings> pointFrom(const std::vector<std::string>& parts)
+/// A light of `kind` at a position, with its colour or power.
+std::optional<LightSettings> lightAt(
+  LightKind kind, const std::string& position, const std::string& color)
 {
-  if (parts.size() != 3)
-  {
-    return std::nullopt;
-  }
-  const auto position = finiteVector(parts[1]);
-  const auto color = intensityFrom(parts[2]);
-  if (!position || !color)
+  static const std::string power = "power=";
+  const bool isPower = color.rfind(power, 0) == 0;
+  const auto at = finiteVector(position);
+  const auto amount = intensityFrom(isPower ? color.substr(power.size()) : color);
+  if (!at || !amount)
   {
     return std::nullopt;
   }
   LightSettings light;
-  light.kind = LightKind::Point;
-  light.position = *position;
-  light.color = *color;
+  light.kind = kind;
+  light.position = *at;
+  light.color = *amount;
+  light.isPower = isPower;
+  return light;
+}
+
+std::optional<LightSettings> pointFrom(const std::vector<std::string>& parts)
+{
+  if (parts.size() != 3 && parts.size() != 4)
+  {
+    return std::nullopt;
+  }
+  auto light = lightAt(LightKind::Point, parts[1], parts[2]);
+  if (!light || parts.size() == 3)
+  {
+    return light;
+  }
+  const auto attenuation = intensityFrom(parts[3]);
+  if (!attenuation || *attenuation == Vector3{ 0, 0, 0 } || light->isPower)
+  {
+    return std::nullopt;
+  }
+  light->attenuation = *attenuation;
   return light;
 }
 
 std::optional<LightSettings> spotFrom(const std::vector<std::string>& parts)
 {
-  if (parts.size() != 6)
+  if (parts.size() != 6 && parts.size() != 7)
   {
     return std::nullopt;
   }
-  const auto position = finiteVector(parts[1]);
+  auto light = lightAt(LightKind::Spot, parts[1], parts[5]);
   const auto direction = directionFrom(parts[2]);
   const auto cone = finiteNumber(parts[3]);
   const auto exponent = finiteNumber(parts[4]);
-  const auto color = intensityFrom(parts[5]);
-  const bool complete = position && direction && cone && exponent && color;
-  if (!complete || *cone <= 0 || *cone >= 90 || *exponent < 0 || *exponent > 128)
+  const auto soft = parts.size() == 7 ? finiteNumber(parts[6]) : 0;
+  const bool complete = light && direction && cone && exponent && soft;
+  if (!complete || *cone <= 0 || *cone >= 90 || *exponent < 0 || *exponent > 128 || *soft < 0 ||
+      *soft > *cone)
   {
     return std::nullopt;
   }
-  return LightSettings{ LightKind::Spot, *position, *direction, *cone, *exponent, *color };
+  light->direction = *direction;
+  light->coneDegrees = *cone;
+  light->exponent = *exponent;
+  light->softDegrees = *soft;
+  return light;
 }
+
+constexpr int kMostSamples = 65536;
+
+/// The last of `count` parts is the number of samples, which may be left out.
+bool setSamples(const std::vector<std::string>& parts, std::size_t count, LightSettings& light)
+{
+  if (parts.size() == count)
+  {
+    const auto samples = wholeNumber(parts.back(), 1, kMostSamples);
+    light.samples = samples.value_or(0);
+  }
+  return light.samples > 0;
+}
+
+/// Neither is zero, too.
+bool isRightAngle(const Vector3& a, const Vector3& b)
+{
+  constexpr double kSine = 1e-6;
+  const double ab = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+  const double lengths = std::hypot(a[0], a[1], a[2]) * std::hypot(b[0], b[1], b[2]);
+  return lengths > 0 && std::fabs(ab) <= kSine * lengths;
+}
+
+std::optional<LightSettings> rectangleFrom(const std::vector<std::string>& parts)
+{
+  if (parts.size() != 5 && parts.size() != 6)
+  {
+    return std::nullopt;
+  }
+  auto light = lightAt(LightKind::Rectangle, parts[1], parts[4]);
+  const auto a = finiteVector(parts[2]);
+  const auto b = finiteVector(parts[3]);
+  if (!light || !a || !b || !isRightAngle(*a, *b) || !setSamples(parts, 6, *light))
+  {
+    return std::nullopt;
+  }
+  light->sides = { *a, *b };
+  return light;
+}
+
+std::optional<LightSettings> sphereFrom(const std::vector<std::string>& parts)
+{
+  if (parts.size() != 4 && parts.size() != 5)
+  {
+    return std::nullopt;
+  }
+  auto light = lightAt(LightKind::Sphere, parts[1], parts[3]);
+  const auto radius = finiteNumber(parts[2]);
+  if (!light || !radius || *radius <= 0 || !setSamples(parts, 5, *light))
+  {
+    return std::nullopt;
+  }
+  light->radius = *radius;
+  return light;
+}
+
+struct LightForm
+{
+  const char* kind;
+  std::optional<LightSettings> (*from)(const std::vector<std::string>& parts);
+  const char* form;
+};
+
+const LightForm kLightForms[] = {
+  { "directional", directionalFrom,
+    "directional:dx,dy,dz:r,g,b (a direction that is not zero; colours of at least 0)" },
+  { "point", pointFrom,
+    "point:x,y,z:r,g,b (colours of at least 0; power=r,g,b for the power) or "
+    "point:x,y,z:r,g,b:a,b,c (for r,g,b / (a + b d + c d^2) at the distance d, not all 0)" },
+  { "spot", spotFrom,
+    "spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b (cone: half angle between 0 and 90 degrees; exponent: "
+    "0 to 128; power=r,g,b for the power), which :soft may follow (degrees of the cone over which "
+    "it fades, 0 to cone)" },
+  { "rectangle", rectangleFrom,
+    "rectangle:x,y,z:ax,ay,az:bx,by,bz:r,g,b (its middle and two sides at a right angle; it shines "
+    "to the side of a x b; power=r,g,b for the power), which :samples may follow (1 to "
+    "65536)" },
+  { "sphere", sphereFrom,
+    "sphere:x,y,z:radius:r,g,b (a radius above 0; power=r,g,b for the power), which :samples may "
+    "follow (1 to 65536)" },
+};
 
 } // namespace
 
@@ -306,42 +413,25 @@ Vector3 parseAxis(const std::string& option, const std::string& text)
 LightSettings parseLight(const std::string& option, const std::string& text)
 {
   const std::vector<std::string> parts = split(text, ':');
-  const std::string& kind = parts[0];
-  if (kind == "headlight" && parts.size() == 1)
+  if (text == "headlight")
   {
     return {};
   }
-  if (kind == "directional")
+  for (const LightForm& form : kLightForms)
   {
-    if (const auto light = directionalFrom(parts))
+    if (parts[0] != form.kind)
+    {
+      continue;
+    }
+    if (const auto light = form.from(parts))
     {
       return *light;
     }
-    refuse(option, text,
-      "of the form directional:dx,dy,dz:r,g,b (a direction that is not zero; colours of at least "
-      "0)");
-  }
-  if (kind == "point")
-  {
-    if (const auto light = pointFrom(parts))
-    {
-      return *light;
-    }
-    refuse(option, text, "of the form point:x,y,z:r,g,b (colours of at least 0)");
-  }
-  if (kind == "spot")
-  {
-    if (const auto light = spotFrom(parts))
-    {
-      return *light;
-    }
-    refuse(option, text,
-      "of the form spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b (cone: half angle between 0 and 90 "
-      "degrees; exponent: 0 to 128)");
+    refuse(option, text, std::string("of the form ") + form.form);
   }
   refuse(option, text,
-    "a light; choose one of: directional:dx,dy,dz:r,g,b, point:x,y,z:r,g,b, "
-    "spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b, headlight");
+    "a light; choose one of: headlight, directional:..., point:..., spot:..., rectangle:..., "
+    "sphere:... (see limn render --help)");
 }
 
 std::string joinWords(const std::vector<std::string>& words)

@@ -47,8 +47,10 @@ std::array<int, 2> parseResolution(const std::string& option, const std::string&
 /// One of +X -X +Y -Y +Z -Z, in either case.
 Vector3 parseAxis(const std::string& option, const std::string& text);
 
-/// directional:dx,dy,dz:r,g,b | point:x,y,z:r,g,b | spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b |
-/// headlight
+/// headlight | directional:dx,dy,dz:r,g,b | point:x,y,z:r,g,b[:a,b,c] |
+/// spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b[:soft] |
+/// rectangle:x,y,z:ax,ay,az:bx,by,bz:r,g,b[:samples] | sphere:x,y,z:radius:r,g,b[:samples], with
+/// power=r,g,b for r,g,b of those with a position.
 LightSettings parseLight(const std::string& option, const std::string& text);
 
 /// "flat, gouraud, phong"

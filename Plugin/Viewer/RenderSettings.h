@@ -22,6 +22,20 @@ enum class Shading
   Phong
 };
 
+enum class FlatPoint
+{
+  Centroid,
+  FirstVertex
+};
+
+enum class Normals
+{
+  Data, ///< the mesh's, by area where it has none
+  Uniform,
+  Area,
+  Angle
+};
+
 enum class Reflection
 {
   None,
@@ -70,8 +84,10 @@ enum class LightKind
 {
   Headlight,
   Directional,
-  Point, ///< intensity I/r^2
-  Spot   ///< intensity I/r^2 inside a cone
+  Point,     ///< intensity I/r^2, or by attenuation
+  Spot,      ///< intensity I/r^2 inside a cone
+  Rectangle, ///< shines to the side of sides[0] x sides[1]
+  Sphere
 };
 
 struct LightSettings
@@ -82,6 +98,12 @@ struct LightSettings
   double coneDegrees = 30;          ///< half angle, 0 < angle < 90
   double exponent = 1;
   Color color = { 1, 1, 1 };
+  bool isPower = false;                  ///< color is power in all, not intensity
+  Vector3 attenuation = { 0, 0, 1 };     ///< I / (a + b r + c r^2)
+  double softDegrees = 0;                ///< width of a spot's soft edge, inside its cone
+  std::array<Vector3, 2> sides = { {} }; ///< of a rectangle about its position
+  double radius = 1;
+  int samples = 16; ///< of a rectangle or sphere
 };
 
 struct CameraSettings
@@ -164,7 +186,10 @@ struct MaterialSettings
   std::optional<int> localModel;   ///< 1 to 5, in place of a reflection
   std::optional<Color> cool, warm; ///< k_cool and k_warm themselves
   Shading shading = Shading::Phong;
-  std::optional<Reflection> reflection; ///< kDefaultReflection if not given
+  std::optional<FlatPoint> flatPoint;        ///< centroid if not given
+  std::optional<Normals> normals;            ///< data if not given
+  std::optional<double> featureAngleDegrees; ///< 0 to 180; no sharp edges if not given
+  std::optional<Reflection> reflection;      ///< kDefaultReflection if not given
   Tone tone = Tone::None;
   Outline outline = Outline::None;
   std::optional<Color> outlineColor; ///< black if not given

@@ -111,6 +111,16 @@ void addCamera(OptionList& options, CameraSettings& camera)
     "--up", "axis", "the meshes' own up: +X -X +Y -Y +Z -Z (+Y)", into(camera.up, parseAxis));
 }
 
+double parseFeatureAngle(Text option, Text text)
+{
+  const double degrees = parseNumber(option, text);
+  if (degrees < 0 || degrees > 180)
+  {
+    throw UserError(option + "=" + text + " is not between 0 and 180 degrees");
+  }
+  return degrees;
+}
+
 void addMaterial(OptionList& options, MaterialSettings& material)
 {
   options.startGroup("Surface");
@@ -119,6 +129,13 @@ void addMaterial(OptionList& options, MaterialSettings& material)
   options.add("--opacity", "a", "1; translucency is not yet served", requireOpaque);
   options.add("--shading", "name", "where light is evaluated: flat, gouraud, phong (phong)",
     choose(material.shading, shadings()));
+  options.add("--flat-point", "name", "of a face lit flat: centroid, first-vertex (centroid)",
+    choose(material.flatPoint, flatPoints()));
+  options.add("--normals", "name",
+    "of vertices: data (the mesh's, else by area), or\ncomputed: uniform, area, angle (data)",
+    choose(material.normals, normalSources()));
+  options.add("--feature-angle", "degrees", "0 to 180; edges above it are sharp (none)",
+    into(material.featureAngleDegrees, parseFeatureAngle));
   options.add("--reflection", "name",
     "none, lambert, phong, blinn-phong, irradiance (the\n"
     "highlight has the cosine too, k_d is over pi),\n"
@@ -211,12 +228,18 @@ void addLights(OptionList& options, SceneSettings& scene)
     "one of\n"
     "  headlight\n"
     "  directional:dx,dy,dz:r,g,b\n"
-    "  point:x,y,z:r,g,b\n"
-    "  spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b\n"
+    "  point:x,y,z:r,g,b[:a,b,c]\n"
+    "  spot:x,y,z:dx,dy,dz:cone:exponent:r,g,b[:soft]\n"
+    "  rectangle:x,y,z:ax,ay,az:bx,by,bz:r,g,b[:samples]\n"
+    "  sphere:x,y,z:radius:r,g,b[:samples]\n"
     "and may be repeated. Directions are the way the light\n"
-    "travels; colours may exceed 1; points and spots fall\n"
-    "off with the square of the distance; the cone is its\n"
-    "half angle in degrees",
+    "travels; colours may exceed 1, and are the power of a\n"
+    "light where power=r,g,b stands for r,g,b; lights with\n"
+    "a place fall off with the square of the distance d, or\n"
+    "by 1/(a + b d + c d^2); the cone is its half angle in\n"
+    "degrees, soft those of its edge; a rectangle has its\n"
+    "middle and its sides a and b, and shines to the side\n"
+    "of a x b; samples (16) are its point lights",
     [&scene](Text option, Text text) { scene.lights.push_back(parseLight(option, text)); });
   options.add("--ambient-light", "r,g,b", "I_a (0,0,0)", into(scene.ambientLight, parseIntensity));
 }

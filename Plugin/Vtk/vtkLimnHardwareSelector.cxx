@@ -114,10 +114,11 @@ void vtkLimnHardwareSelector::DrawIds()
   vtkInternals& selected = *this->Internals;
   selected.PropOfInstance.clear();
   std::vector<limn::Instance> instances;
+  limn::bridge::FrameNormals normals;
   for (const SelectedSurface& surface : selected.Surfaces)
   {
     limn::Instance instance;
-    if (limn::bridge::describe(surface.Surface, instance, nullptr))
+    if (limn::bridge::describe(surface.Surface, instance, normals, nullptr))
     {
       instance.id = static_cast<std::uint32_t>(instances.size());
       instances.push_back(instance);

@@ -45,6 +45,19 @@ const char* vtkLimnProperty::GetReflectionModelAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetFlatPointAsString()
+{
+  return this->FlatPoint == FLAT_AT_FIRST_VERTEX ? "FirstVertex" : "Centroid";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetVertexNormalsAsString()
+{
+  static const char* const names[] = { "FromData", "Uniform", "ByArea", "ByAngle" };
+  return names[this->VertexNormals];
+}
+
+//------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetToneAsString()
 {
   static const char* const names[] = { "None", "Gooch", "GoochChapter" };
@@ -113,6 +126,9 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
     return;
   }
   this->SetShadingFrequency(other->ShadingFrequency);
+  this->SetFlatPoint(other->FlatPoint);
+  this->SetVertexNormals(other->VertexNormals);
+  this->SetFeatureAngle(other->FeatureAngle);
   this->SetReflectionModel(other->ReflectionModel);
   this->SetFresnel(other->Fresnel);
   this->SetRefractiveIndex(other->RefractiveIndex);
@@ -147,6 +163,9 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ShadingFrequency: " << this->GetShadingFrequencyAsString() << "\n";
+  os << indent << "FlatPoint: " << this->GetFlatPointAsString() << "\n";
+  os << indent << "VertexNormals: " << this->GetVertexNormalsAsString() << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "ReflectionModel: " << this->GetReflectionModelAsString() << "\n";
   os << indent << "Fresnel: " << (this->Fresnel ? "On" : "Off") << "\n";
   os << indent;

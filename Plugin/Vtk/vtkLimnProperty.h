@@ -42,9 +42,10 @@ public:
 
   ///@{
   /**
-   * How often light is computed: once per face at its centroid (Flat), once per vertex with colours
-   * interpolated (Gouraud), once per pixel with normals interpolated (Phong). As VTK, the default,
-   * follows Interpolation as VTK's shaders do: per pixel, with face normals if it is VTK_FLAT.
+   * How often light is computed: once per face at its FlatPoint (Flat), once per vertex with
+   * colours interpolated (Gouraud), once per pixel with normals interpolated (Phong). As VTK, the
+   * default, follows Interpolation as VTK's shaders do: per pixel, with face normals if it is
+   * VTK_FLAT.
    */
   vtkSetClampMacro(ShadingFrequency, int, FREQUENCY_AS_VTK, FREQUENCY_PHONG);
   vtkGetMacro(ShadingFrequency, int);
@@ -53,6 +54,59 @@ public:
   void SetShadingFrequencyToGouraud() { this->SetShadingFrequency(FREQUENCY_GOURAUD); }
   void SetShadingFrequencyToPhong() { this->SetShadingFrequency(FREQUENCY_PHONG); }
   const char* GetShadingFrequencyAsString();
+  ///@}
+
+  enum FlatPoints
+  {
+    FLAT_AT_CENTROID = 0,
+    FLAT_AT_FIRST_VERTEX
+  };
+
+  ///@{
+  /**
+   * Where the frequency Flat lights a face. FirstVertex is the first point of its cell, as
+   * fixed-function hardware did it. Default: Centroid.
+   */
+  vtkSetClampMacro(FlatPoint, int, FLAT_AT_CENTROID, FLAT_AT_FIRST_VERTEX);
+  vtkGetMacro(FlatPoint, int);
+  void SetFlatPointToCentroid() { this->SetFlatPoint(FLAT_AT_CENTROID); }
+  void SetFlatPointToFirstVertex() { this->SetFlatPoint(FLAT_AT_FIRST_VERTEX); }
+  const char* GetFlatPointAsString();
+  ///@}
+
+  enum VertexNormalSources
+  {
+    NORMALS_FROM_DATA = 0,
+    NORMALS_UNIFORM,
+    NORMALS_BY_AREA,
+    NORMALS_BY_ANGLE
+  };
+
+  ///@{
+  /**
+   * Where the normals of points come from. FromData, the default: the point data's, or ByArea if
+   * there are none and the frequency needs some. All others are computed, whatever the data has, as
+   * sums over the triangles around a point, each with the same weight, by its area, or by its angle
+   * there. Computing them takes one pass over the mesh when it changes. Frequency Flat and, as VTK
+   * does it, VTK_FLAT need none.
+   */
+  vtkSetClampMacro(VertexNormals, int, NORMALS_FROM_DATA, NORMALS_BY_ANGLE);
+  vtkGetMacro(VertexNormals, int);
+  void SetVertexNormalsToFromData() { this->SetVertexNormals(NORMALS_FROM_DATA); }
+  void SetVertexNormalsToUniform() { this->SetVertexNormals(NORMALS_UNIFORM); }
+  void SetVertexNormalsToByArea() { this->SetVertexNormals(NORMALS_BY_AREA); }
+  void SetVertexNormalsToByAngle() { this->SetVertexNormals(NORMALS_BY_ANGLE); }
+  const char* GetVertexNormalsAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Edges whose two faces' normals are more than this many degrees apart are sharp: points on them
+   * have normals of their own on each side. Below 180 normals are computed, whatever the data has,
+   * and take 12 bytes more for each triangle. From 0 to 180; default: 180, no sharp edges.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
   ///@}
 
   enum ReflectionModels
@@ -345,6 +399,9 @@ protected:
   ~vtkLimnProperty() override;
 
   int ShadingFrequency = FREQUENCY_AS_VTK;
+  int FlatPoint = FLAT_AT_CENTROID;
+  int VertexNormals = NORMALS_FROM_DATA;
+  double FeatureAngle = 180.0;
   int ReflectionModel = REFLECTION_AS_VTK;
   bool Fresnel = false;
   double RefractiveIndex[3] = { 1.5, 1.5, 1.5 };

@@ -18,6 +18,7 @@ enum class Error : std::uint8_t {
   kSizeMismatch,        ///< an attribute array has not one value per vertex or per cell
   kInvalidImageSize,    ///< zero, negative or larger than kMaxImageSide
   kInvalidSampleCount,  ///< not 1, 2, 4 or 8
+  kInvalidLight,        ///< a shape, unit or number of lights that cannot be
   kTooManyPrimitives,   ///< more clusters or triangles in one frame than an owner can number
   kMissingData,         ///< the scene lacks what the chosen renderer or shading needs
   kFile,                ///< a file cannot be opened, read or understood

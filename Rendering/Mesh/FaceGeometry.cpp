@@ -54,4 +54,19 @@ FaceGeometry faceGeometry(const MeshView& mesh, Span<const std::uint32_t> cells,
   return faces;
 }
 
+std::vector<Vec3d> firstCorners(const MeshView& mesh, Span<const std::uint32_t> cells,
+                                std::size_t cellCount)
+{
+  std::vector<Vec3d> corners(cellCount, Vec3d{0, 0, 0});
+  // From the last to the first, which stays.
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+    const std::size_t cell = cells.empty() ? t : cells[t];
+    const std::uint32_t vertex = mesh.triangles[t].vertex[0];
+    if (vertex >= mesh.vertexCount() || cell >= cellCount) continue;
+    const Vec3d position = mesh.position(vertex);
+    if (isFinite(position)) corners[cell] = position;
+  }
+  return corners;
+}
+
 }  // namespace limn

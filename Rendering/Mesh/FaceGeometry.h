@@ -22,4 +22,9 @@ struct FaceGeometry {
 FaceGeometry faceGeometry(const MeshView& mesh, Span<const std::uint32_t> cells,
                           std::size_t cellCount);
 
+/// The first corner of each face's first triangle, in model coordinates, as another place to light
+/// it at; zero for faces without one. Arguments as above.
+std::vector<Vec3d> firstCorners(const MeshView& mesh, Span<const std::uint32_t> cells,
+                                std::size_t cellCount);
+
 }  // namespace limn

@@ -7,6 +7,7 @@
 #include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Reference/ReferenceShading.h"
 #include "Rendering/Vertex/ClipTriangle.h"
+#include "Rendering/Vertex/PlaceLights.h"
 #include "Rendering/Vertex/ViewSpace.h"
 
 #include <algorithm>
@@ -266,10 +267,11 @@ Rgba8 meanColor(const std::vector<Rgba8>& colors, Resolve resolve)
 class Picture {
  public:
   Picture(const Scene& scene, const FrameView& frame)
-      : scene_(scene), frame_(frame), offsets_(samplePositions(scene.samples))
+      : scene_(scene),
+        frame_(frame),
+        offsets_(samplePositions(scene.samples)),
+        lights_(placeLights(scene.lights, scene.camera))
   {
-    for (const Light& light : scene.lights)
-      lights_.push_back(makeViewLight(light, scene.camera));
     for (const Instance& instance : scene.instances)
       placed_.emplace_back(scene, instance, frame);
     samples_.resize(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) *

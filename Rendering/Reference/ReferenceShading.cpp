@@ -36,6 +36,13 @@ Vec3f scaled(Vec3f color, float s)
   return color * s;
 }
 
+/// From 0 to 1 as t does, and level there.
+float smoothStep(float t)
+{
+  const float bounded = t > 0.0f ? (t < 1.0f ? t : 1.0f) : 0.0f;
+  return bounded * bounded * (3.0f - 2.0f * bounded);
+}
+
 Arrival arrive(const ViewLight& light, Vec3f position, bool fallsOff)
 {
   if (!light.positional()) return {light.towardLight, 1.0f};
@@ -50,7 +57,10 @@ Arrival arrive(const ViewLight& light, Vec3f position, bool fallsOff)
   if (light.kind == LightKind::kSpot) {
     const float cosine = dot(toward, light.towardLight);
     fall = cosine >= light.coneCosine ? fall * power(cosine, light.exponent) : 0.0f;
+    if (light.softScale > 0.0f)
+      fall = fall * smoothStep((cosine - light.coneCosine) * light.softScale);
   }
+  if (light.kind == LightKind::kRectangle) fall = fall * positive(dot(toward, light.towardLight));
   return {toward, fall};
 }
 
@@ -298,7 +308,11 @@ class Face {
   Vec3f cornerPosition(int i) const { return viewPosition(transform_, corner(i)); }
   Vec3f vertexNormal(int i) const
   {
-    return instance_.attributes.vertexNormals[triangle_.vertex[i]];
+    const Attributes& data = instance_.attributes;
+    return data.vertexNormals[data.normalOfCorner.empty()
+                                  ? triangle_.vertex[i]
+                                  : data.normalOfCorner[std::size_t{3} * point_.triangle +
+                                                        static_cast<std::size_t>(i)]];
   }
   Vec3f facing(Vec3f localNormal) const
   {
@@ -367,7 +381,7 @@ class Face {
   }
   Vec3f facePosition() const
   {
-    return viewPosition(transform_, toLocal(instance_.attributes.faceCentroids[cell_], origin_));
+    return viewPosition(transform_, toLocal(instance_.attributes.facePoints[cell_], origin_));
   }
   Vec3f faceNormal() const { return facing(instance_.attributes.faceNormals[cell_]); }
 

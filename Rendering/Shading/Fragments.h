@@ -58,7 +58,7 @@ struct alignas(64) FragmentBatch {
   Vectors cornerNormal[3];  ///< local; [0] alone for normals of a cell
   Vectors cornerColor[3];   ///< 0 ... 255; [0] alone for colours of a cell
   Pairs cornerUv[2][3];     ///< by UvUse::set
-  Vectors facePosition;     ///< centroid in view space; for flat frequency
+  Vectors facePosition;     ///< where it is lit, in view space; for flat frequency
   Vectors faceNormal;       ///< local; for flat frequency
   Vectors color;            ///< the result, before clamping
   int count = 0;            ///< last, so that every array starts at a multiple of 64 bytes
@@ -137,8 +137,8 @@ struct ShadingContext {
 /// Requires: isGatherable().
 void gatherFragments(const TileClusters& clusters, const PlacedInstance& placed,
                      FragmentBatch& batch);
-/// Whether a mesh's arrays are within the reach of 32-bit indices.
-bool isGatherable(const ClusteredMesh& mesh);
+/// Whether an instance's arrays are within the reach of 32-bit indices.
+bool isGatherable(const PlacedInstance& placed);
 
 /// Moves the fragments' points from their pixels to the viewport. Puts the corners on the screen
 /// again, bit for bit as transformVertices(), and finds where in its triangle each fragment lies.

@@ -33,6 +33,13 @@ struct Arrival {
   V fall;
 };
 
+HWY_INLINE V smoothStep(V t)
+{
+  const V below = hn::IfThenElse(hn::Lt(t, set(1.0f)), t, set(1.0f));
+  const V bounded = hn::IfThenElseZero(isPositive(t), below);
+  return hn::Mul(hn::Mul(bounded, bounded), hn::Sub(set(3.0f), hn::Mul(set(2.0f), bounded)));
+}
+
 HWY_INLINE Arrival arrive(const ViewLight& light, Lanes3 position, bool fallsOff)
 {
   if (!light.positional()) return {set(light.towardLight), set(1.0f)};
@@ -48,7 +55,12 @@ HWY_INLINE Arrival arrive(const ViewLight& light, Lanes3 position, bool fallsOff
     const V cosine = dot(toward, set(light.towardLight));
     fall = hn::IfThenElseZero(hn::Ge(cosine, set(light.coneCosine)),
                               hn::Mul(fall, powerOf(cosine, light.exponent)));
+    if (light.softScale > 0.0f)
+      fall = hn::Mul(
+          fall, smoothStep(hn::Mul(hn::Sub(cosine, set(light.coneCosine)), set(light.softScale))));
   }
+  if (light.kind == LightKind::kRectangle)
+    fall = hn::Mul(fall, positive(dot(toward, set(light.towardLight))));
   return {toward, fall};
 }
 

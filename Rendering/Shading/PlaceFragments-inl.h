@@ -22,6 +22,7 @@ class Gatherer {
         mesh_(placed.mesh()),
         data_(placed.instance->attributes),
         normals_(placed.instance->style.normals),
+        splitNormals_(normals_ == NormalSource::kVertex && !data_.normalOfCorner.empty()),
         uv_(*placed.instance),
         batch_(batch)
   {
@@ -73,16 +74,23 @@ class Gatherer {
       hn::Store(hn::Add(firstVertex, hn::And(corner, hn::Set(DI(), 0xFF))), DI(), corner_[k] + i);
     }
   }
-  /// Numbers of the corners in the caller's mesh.
+  /// Numbers of the corners in the caller's mesh, and of their normals.
   void findVertices(std::size_t i)
   {
     for (int k = 0; k < 3; ++k) {
       const VI vertex = indices(mesh_.vertex.data(), hn::Load(DI(), corner_[k] + i));
       hn::Store(vertex, DI(), vertex_[k] + i);
       if (normals_ != NormalSource::kVertex) continue;
+      hn::Store(splitNormals_ ? normalsOfCorners(k, i) : vertex, DI(), normal_[k] + i);
       for (std::size_t lane = 0; lane < hn::Lanes(DI()); ++lane)
-        hwy::Prefetch(data_.vertexNormals.data() + vertex_[k][i + lane]);
+        hwy::Prefetch(data_.vertexNormals.data() + normal_[k][i + lane]);
     }
+  }
+  VI normalsOfCorners(int k, std::size_t i) const
+  {
+    const VI triangle = indices(mesh_.triangle.data(), hn::Load(DI(), place_ + i));
+    const VI first = hn::Add(triangle, hn::Add(triangle, triangle));
+    return indices(data_.normalOfCorner.data(), hn::Add(first, hn::Set(DI(), k)));
   }
   HWY_INLINE void gatherPositions(int k, std::size_t i) const
   {
@@ -102,7 +110,8 @@ class Gatherer {
   {
     const VI vertex = hn::Load(DI(), vertex_[k] + i);
     if (normals_ == NormalSource::kVertex)
-      storeVectors(data_.vertexNormals.data(), vertex, batch_.cornerNormal[k], i);
+      storeVectors(data_.vertexNormals.data(), hn::Load(DI(), normal_[k] + i),
+                   batch_.cornerNormal[k], i);
     if (!data_.vertexColors.empty())
       storeColor(data_.vertexColors.data(), vertex, batch_.cornerColor[k], i);
     if (uv_.set[0]) storePairs(data_.uv.data(), vertex, batch_.cornerUv[0][k], i);
@@ -146,11 +155,13 @@ class Gatherer {
   const ClusteredMesh& mesh_;
   const Attributes& data_;
   NormalSource normals_;
+  bool splitNormals_;
   UvUse uv_;
   FragmentBatch& batch_;
   alignas(64) std::int32_t place_[FragmentBatch::kCapacity];
   alignas(64) std::int32_t corner_[3][FragmentBatch::kCapacity];
   alignas(64) std::int32_t vertex_[3][FragmentBatch::kCapacity];
+  alignas(64) std::int32_t normal_[3][FragmentBatch::kCapacity];
 };
 
 void gatherFragmentsKernel(const TileClusters& clusters, const PlacedInstance& placed,

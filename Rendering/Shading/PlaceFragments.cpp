@@ -17,11 +17,13 @@ namespace limn {
 HWY_EXPORT(gatherFragmentsKernel);
 HWY_EXPORT(placeFragmentsKernel);
 
-bool isGatherable(const ClusteredMesh& mesh)
+bool isGatherable(const PlacedInstance& placed)
 {
+  const ClusteredMesh& mesh = placed.mesh();
   constexpr std::size_t kReach = std::numeric_limits<std::int32_t>::max();
   return mesh.vertexCount < kReach && mesh.triangleCount < kReach &&
-         mesh.meshVertexCount < kReach / 3 && mesh.meshTriangleCount < kReach / 3;
+         mesh.meshVertexCount < kReach / 3 && mesh.meshTriangleCount < kReach / 3 &&
+         placed.instance->attributes.vertexNormals.size() < kReach / 3;
 }
 
 void gatherFragments(const TileClusters& clusters, const PlacedInstance& placed,

@@ -123,21 +123,26 @@ class BatchFiller {
   {
     const std::size_t place = cluster.cluster->firstTriangle + t;
     for (int k = 0; k < 3; ++k)
-      fillCorner(cluster.cluster->firstVertex + mesh_.corner[k][place], k, i);
+      fillCorner(cluster.cluster->firstVertex + mesh_.corner[k][place], mesh_.triangle[place], k,
+                 i);
     const bool needsCell = flat_ || normals_ == NormalSource::kCell ||
                            (data_.vertexColors.empty() && !data_.cellColors.empty());
     if (needsCell) fillCell(mesh_.triangle[place], i);
   }
 
  private:
-  void fillCorner(std::size_t v, int k, int i) const
+  void fillCorner(std::size_t v, std::uint32_t triangle, int k, int i) const
   {
     batch_.corner[k].set(i, {mesh_.x[v], mesh_.y[v], mesh_.z[v]});
     if (transform_.hasLowParts)
       batch_.cornerLow[k].set(i, {mesh_.xLow[v], mesh_.yLow[v], mesh_.zLow[v]});
     const std::uint32_t vertex = mesh_.vertex[v];
     if (!flat_ && normals_ == NormalSource::kVertex)
-      batch_.cornerNormal[k].set(i, data_.vertexNormals[vertex]);
+      batch_.cornerNormal[k].set(
+          i, data_.vertexNormals[data_.normalOfCorner.empty()
+                                     ? vertex
+                                     : data_.normalOfCorner[std::size_t{3} * triangle +
+                                                            static_cast<std::size_t>(k)]]);
     if (!data_.vertexColors.empty())
       batch_.cornerColor[k].set(i, bytes(data_.vertexColors[vertex]));
     if (uv_.set[0]) batch_.cornerUv[0][k].set(i, data_.uv[vertex]);
@@ -151,7 +156,7 @@ class BatchFiller {
       batch_.cornerColor[0].set(i, bytes(data_.cellColors[cell]));
     if (flat_) {
       batch_.facePosition.set(
-          i, viewPosition(transform_, toLocal(data_.faceCentroids[cell], mesh_.origin)));
+          i, viewPosition(transform_, toLocal(data_.facePoints[cell], mesh_.origin)));
       batch_.faceNormal.set(i, data_.faceNormals[cell]);
     } else if (normals_ == NormalSource::kCell) {
       batch_.cornerNormal[0].set(i, data_.cellNormals[cell]);
@@ -230,7 +235,7 @@ void FragmentShader::forEachBatch(const TileClusters& clusters, Span<const std::
 void FragmentShader::fillBatch(const TileClusters& clusters, const PlacedInstance& placed,
                                const TileRectangle& pixels)
 {
-  if (placed.instance->style.frequency != ShadingFrequency::kFlat && isGatherable(placed.mesh())) {
+  if (placed.instance->style.frequency != ShadingFrequency::kFlat && isGatherable(placed)) {
     gatherFragments(clusters, placed, batch_);
   } else {
     const BatchFiller filler(placed, batch_);

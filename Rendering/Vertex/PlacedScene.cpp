@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Vertex/PlacedScene.h"
 
+#include "Rendering/Vertex/PlaceLights.h"
+
 #include <algorithm>
 
 namespace limn {
@@ -17,9 +19,8 @@ std::uint32_t PlacedScene::instanceOf(std::uint32_t cluster) const
 PlacedScene placeScene(const Scene& scene, int width, int height,
                        const Optimizations& optimizations)
 {
-  PlacedScene placed = {&scene, width, height, {}, {}, 0, optimizations};
-  for (const Light& light : scene.lights)
-    placed.lights.push_back(makeViewLight(light, scene.camera));
+  PlacedScene placed = {&scene, width,        height, {}, placeLights(scene.lights, scene.camera),
+                        0,      optimizations};
   placed.instances.reserve(scene.instances.size());
   for (const Instance& instance : scene.instances) {
     const ClusteredMesh& mesh = *instance.clusters;

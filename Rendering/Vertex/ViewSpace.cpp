@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Vertex/ViewSpace.h"
 
-#include "Rendering/Base/Power.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -140,21 +138,6 @@ ScreenVertex screenVertex(const InstanceTransform& transform, ClipPoint clip)
 {
   return transform.precise ? screenVertexIn<double>(transform, clip)
                            : screenVertexIn<float>(transform, clip);
-}
-
-ViewLight makeViewLight(const Light& light, const Camera& camera)
-{
-  ViewLight view;
-  view.kind = light.kind;
-  view.position = vec3Cast<float>(transformPoint(camera.worldToView, light.position));
-  const Vec3d direction = normalized(transformDirection(camera.worldToView, light.direction));
-  view.towardLight =
-      light.kind == LightKind::kHeadlight ? Vec3f{0, 0, 1} : vec3Cast<float>(-direction);
-  view.color = light.color;
-  view.attenuation = light.attenuation;
-  view.coneCosine = static_cast<float>(cosineOfDegrees(light.coneDegrees));
-  view.exponent = light.exponent;
-  return view;
 }
 
 }  // namespace limn

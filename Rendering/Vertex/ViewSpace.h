@@ -48,18 +48,22 @@ Vec3f viewPosition(const InstanceTransform& transform, LocalPosition p);
 /// Divide, viewport and snap; in float or double as the transform says.
 ScreenVertex screenVertex(const InstanceTransform& transform, ClipPoint clip);
 
-/// A light in view space, ready to be evaluated in float.
+/// A light in view space, ready to be evaluated in float. Of a rectangle's or sphere's samples each
+/// is one: of kRectangle, or kPoint.
 struct ViewLight {
   LightKind kind;
-  Vec3f position;     ///< point and spot
-  Vec3f towardLight;  ///< unit; headlight and directional: constant; spot: against its axis
+  Vec3f position;     ///< of all but headlight and directional
+  Vec3f towardLight;  ///< unit; headlight and directional: constant; else against its axis
   Vec3f color;
   Vec3f attenuation;
   float coneCosine;
+  float softScale;  ///< spot: 1 / (cosine where its soft band ends - coneCosine); 0: a hard edge
   float exponent;
 
-  bool positional() const { return kind == LightKind::kPoint || kind == LightKind::kSpot; }
+  bool positional() const
+  {
+    return kind != LightKind::kHeadlight && kind != LightKind::kDirectional;
+  }
 };
-ViewLight makeViewLight(const Light& light, const Camera& camera);
 
 }  // namespace limn

@@ -111,6 +111,16 @@ TEST_P(EveryTarget, TexturesLikeTheReference)
   }
 }
 
+TEST_P(EveryTarget, LightsLikeTheReference)
+{
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kLights);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    ASSERT_EQ(drawn(random, {Backend::kPipeline, 2}).differingPixels(expected), 0u)
+        << "seed " << seed;
+  }
+}
+
 TEST_P(EveryTarget, ReflectsLikeTheReference)
 {
   for (std::uint32_t seed = 0; seed < 300; ++seed) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Agreement/RandomScene.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -205,6 +206,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   placeCamera(random);
   if (detail == Detail::kReflections) addReflections();
   if (detail == Detail::kTextures) addTextures();
+  if (detail == Detail::kLights) addLights();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -445,6 +447,50 @@ void RandomScene::addReflections()
     material.edgeTint = random.color();
     if (random.chance(3)) material.rim = random.color();
     material.rimPower = static_cast<float>(random.between(0, 6));
+  }
+}
+
+void RandomScene::addNormals(Random& random)
+{
+  for (auto& mesh : meshes_) {
+    const double angle = random.chance(5) ? 180 : random.between(0, 120);
+    const auto weight = static_cast<NormalWeight>(random.below(3));
+    const Status status =
+        splitVertexNormals(mesh->view(), mesh->cells, weight, angle, 2, mesh->splitNormals);
+    if (!status.ok()) std::abort();
+    mesh->firstCorners = limn::firstCorners(mesh->view(), mesh->cells, mesh->cellCount);
+  }
+  for (Instance& instance : instances_) {
+    const auto mesh = std::find_if(meshes_.begin(), meshes_.end(), [&](const auto& one) {
+      return &one->clusters == instance.clusters;
+    });
+    if (random.chance(2)) instance.attributes.facePoints = (*mesh)->firstCorners;
+    if (random.chance(3)) continue;
+    instance.attributes.vertexNormals = (*mesh)->splitNormals.normals;
+    instance.attributes.normalOfCorner = (*mesh)->splitNormals.ofCorner;
+  }
+}
+
+void RandomScene::addLights()
+{
+  Random random(seed_ ^ 0x11647u);
+  addNormals(random);
+  const std::uint32_t more = 1 + random.below(3);
+  for (std::uint32_t i = 0; i < more; ++i) {
+    Light light = randomLight(random);
+    light.kind = static_cast<LightKind>(2 + random.below(4));
+    if (light.kind == LightKind::kSpot)
+      light.softDegrees =
+          random.chance(4) ? 0.0f : light.coneDegrees * static_cast<float>(random.between(0, 1));
+    light.halfSide[0] = random.inBox(1);
+    light.halfSide[1] = random.inBox(1);
+    light.radius = random.between(0.01, 2);
+    light.samples = 1 + static_cast<int>(random.below(20));
+    if (random.chance(3)) {
+      light.unit = LightUnit::kPower;
+      light.color = light.color * 20.0f;
+    }
+    lights_.push_back(light);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "Rendering/Mesh/BuildClusters.h"
 #include "Rendering/Mesh/FaceGeometry.h"
+#include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Renderer.h"
 
 #include <array>
@@ -46,6 +47,8 @@ struct OwnedMesh {
   std::vector<std::uint32_t> cells;
   std::size_t cellCount = 0;
   FaceGeometry faces;
+  SplitNormals splitNormals;
+  std::vector<Vec3d> firstCorners;
   ClusteredMesh clusters;
 
   MeshView view() const { return {positions, precise, triangles}; }
@@ -80,6 +83,7 @@ class RandomScene {
     kPost,         ///< kAny with bright lights and post effects
     kReflections,  ///< as kAny, with every reflection model and its values
     kTextures,     ///< as kAny or kCoarse, with textures of all kinds
+    kLights,       ///< as kAny, with area lights, normals of corners, faces lit at a corner
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -96,6 +100,8 @@ class RandomScene {
   Instance instanceOf(Random& random, const OwnedMesh& mesh, std::uint32_t id, Detail detail);
   // Of streams of their own: the other scenes stay as they are.
   void addReflections();
+  void addLights();
+  void addNormals(Random& random);
   void addTextures();
   void joinTextures();
   void addImages(Random& random);

@@ -21,6 +21,7 @@ using testing::RandomScene;
 
 constexpr std::uint64_t kHashOfScenes = 4481409563840940949u;
 constexpr std::uint64_t kHashOfReflections = 2261506406569148229u;
+constexpr std::uint64_t kHashOfLights = 13210657878963063253u;
 constexpr std::uint64_t kHashOfTextures = 6601808570278293167u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 
@@ -99,6 +100,13 @@ TEST_P(SameBytes, ReflectionsHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kReflections);
   std::cout << "kHashOfReflections " << hash << '\n';
   EXPECT_EQ(hash, kHashOfReflections);
+}
+
+TEST_P(SameBytes, LightsHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kLights);
+  std::cout << "kHashOfLights " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfLights);
 }
 
 TEST_P(SameBytes, TexturesHaveTheKnownHash)

@@ -114,6 +114,33 @@ const Mistake kSceneMistakes[] = {
     {"ConeNan", Error::kNotFinite, "Light 0", [](Input& i) { i.light().coneDegrees = kNan; }},
     {"ExponentNegative", Error::kNotFinite, "exponent", [](Input& i) { i.light().exponent = -1; }},
     {"ExponentNan", Error::kNotFinite, "Light 0", [](Input& i) { i.light().exponent = kNan; }},
+    {"SoftEdgeNegative", Error::kInvalidLight, "soft",
+     [](Input& i) { i.light().softDegrees = -1; }},
+    {"SoftEdgeNan", Error::kInvalidLight, "soft", [](Input& i) { i.light().softDegrees = kNan; }},
+    {"SoftEdgeWiderThanTheCone", Error::kInvalidLight, "soft",
+     [](Input& i) { i.light().coneDegrees = 20, i.light().softDegrees = 21; }},
+    {"PowerOfAHeadlight", Error::kInvalidLight, "power",
+     [](Input& i) { i.light().kind = LightKind::kHeadlight, i.light().unit = LightUnit::kPower; }},
+    {"PowerOfADirectionalLight", Error::kInvalidLight, "power",
+     [](Input& i) {
+       i.light().kind = LightKind::kDirectional, i.light().unit = LightUnit::kPower;
+     }},
+    {"SphereOfNoRadius", Error::kInvalidLight, "radius",
+     [](Input& i) { i.light().kind = LightKind::kSphere, i.light().radius = 0; }},
+    {"SphereOfRadiusNan", Error::kInvalidLight, "radius",
+     [](Input& i) { i.light().kind = LightKind::kSphere, i.light().radius = std::nan(""); }},
+    {"SphereOfNoSamples", Error::kInvalidLight, "samples",
+     [](Input& i) { i.light().kind = LightKind::kSphere, i.light().samples = 0; }},
+    {"RectangleOfNoArea", Error::kInvalidLight, "area",
+     [](Input& i) {
+       i.light().kind = LightKind::kRectangle, i.light().halfSide[1] = {-2, 0, 0};
+     }},
+    {"RectangleOfInfiniteSides", Error::kInvalidLight, "area",
+     [](Input& i) {
+       i.light().kind = LightKind::kRectangle, i.light().halfSide[1] = {0, HUGE_VAL, 0};
+     }},
+    {"SamplesPastTheLimit", Error::kInvalidLight, "65537 lights",
+     [](Input& i) { i.light().kind = LightKind::kSphere, i.light().samples = 65537; }},
 };
 
 const Mistake kInstanceMistakes[] = {
@@ -171,6 +198,11 @@ const Mistake kInstanceMistakes[] = {
      [](Input& i) {
        i.instance().attributes.vertexNormals = shortened(i.instance().attributes.vertexNormals);
      }},
+    {"NormalsOfCornersTooShort", Error::kSizeMismatch, "normals of corners",
+     [](Input& i) {
+       static const std::uint32_t one[] = {0};
+       i.instance().attributes.normalOfCorner = {one, 1};
+     }},
     {"VertexColorsTooShort", Error::kSizeMismatch, "vertex colours",
      [](Input& i) {
        i.instance().attributes.vertexColors = shortened(i.instance().attributes.vertexColors);
@@ -181,7 +213,7 @@ const Mistake kInstanceMistakes[] = {
      [](Input& i) {
        i.instance().attributes.cells = {}, i.instance().attributes.cellNormals = {};
      }},
-    {"FaceCentroidsTooShort", Error::kSizeMismatch, "face centroids",
+    {"FacePointsTooShort", Error::kSizeMismatch, "points of faces",
      [](Input& i) {
        i.instance().attributes.cells = {}, i.instance().attributes.cellNormals = {};
        i.instance().attributes.cellColors = {};
@@ -189,7 +221,7 @@ const Mistake kInstanceMistakes[] = {
     {"FaceNormalsTooShort", Error::kSizeMismatch, "face normals",
      [](Input& i) {
        i.instance().attributes.cells = {}, i.instance().attributes.cellNormals = {};
-       i.instance().attributes.cellColors = {}, i.instance().attributes.faceCentroids = {};
+       i.instance().attributes.cellColors = {}, i.instance().attributes.facePoints = {};
      }},
     {"NoVertexNormals", Error::kMissingData, "vertex normals",
      [](Input& i) { i.instance().attributes.vertexNormals = {}; }},
@@ -202,10 +234,10 @@ const Mistake kInstanceMistakes[] = {
        i.instance().style.frequency = ShadingFrequency::kFlat;
        i.instance().attributes.faceNormals = {};
      }},
-    {"NoFaceCentroids", Error::kMissingData, "face",
+    {"NoFacePoints", Error::kMissingData, "face",
      [](Input& i) {
        i.instance().style.frequency = ShadingFrequency::kFlat;
-       i.instance().attributes.faceCentroids = {};
+       i.instance().attributes.facePoints = {};
      }},
 };
 

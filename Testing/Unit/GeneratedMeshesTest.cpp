@@ -53,7 +53,7 @@ double volume(const GeneratedMesh& mesh)
 void expectNormalsAgreeWithFaces(const GeneratedMesh& mesh)
 {
   const auto triangles = mesh.triangles();
-  const auto computed = areaWeightedNormals({mesh.positions, {}, triangles});
+  const auto computed = vertexNormals({mesh.positions, {}, triangles}, NormalWeight::kArea);
   ASSERT_EQ(computed.size(), mesh.normals.size());
   for (std::size_t v = 0; v < computed.size(); ++v) {
     EXPECT_NEAR(dot(mesh.normals[v], mesh.normals[v]), 1.0f, 1e-5f);
@@ -112,7 +112,7 @@ TEST(AreaWeightedNormals, WeighByAreaAndIgnoreWhatCannotBeDrawn)
   // Two faces at a right angle, one of three times the area; and a vertex without a face.
   const std::vector<Vec3f> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 3}, {9, 9, 9}};
   const std::vector<Triangle> triangles = {{{0, 1, 2}}, {{0, 2, 3}}, {{0, 1, 77}}};
-  const auto normals = areaWeightedNormals({positions, {}, triangles});
+  const auto normals = vertexNormals({positions, {}, triangles}, NormalWeight::kArea);
   const Vec3f expected = normalized(Vec3f{3, 0, 1});
   EXPECT_NEAR(normals[0].x, expected.x, 1e-6);
   EXPECT_NEAR(normals[0].y, expected.y, 1e-6);

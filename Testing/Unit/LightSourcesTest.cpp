@@ -204,5 +204,162 @@ TEST_P(LightSources, IntensityAboveOneSaturatesAtTheEndOnly)
   expectPicture(stage, draw(stage), hitSphere, lit, kRounding + 2 * kFacets);
 }
 
+constexpr double kPi = 3.14159265358979323846;
+
+TEST_P(LightSources, SpotFadesToItsEdgeOverTheSoftBand)
+{
+  const OwnedMesh mesh = plane();
+  Stage stage = planeStage(mesh);
+  stage.lights = {spot(40, 0)};
+  stage.lights[0].softDegrees = 15;
+  const auto lit = [](const Hit& hit) {
+    const double cosine = normalized(Vec3d{0, 0, 1} - hit.position).z;
+    const double edge = std::cos(40 * kDegrees), inner = std::cos(25 * kDegrees);
+    const double t = std::clamp((cosine - edge) / (inner - edge), 0.0, 1.0);
+    return gray(cosine * t * t * (3 - 2 * t));
+  };
+  expectPicture(stage, draw(stage), hitPlane, lit, kRounding + 0.02);
+}
+
+TEST_P(LightSources, PointOfPowerPHasTheIntensityPOver4Pi)
+{
+  const OwnedMesh mesh = plane();
+  Stage stage = planeStage(mesh);
+  const Vec3d from = {0.3, -0.2, 1.4};
+  stage.lights = {point(from, {18, 12, 6}, {1, 2, 3})};
+  stage.lights[0].unit = LightUnit::kPower;
+  const auto lit = [&](const Hit& hit) {
+    const Vec3d way = from - hit.position;
+    return Vec3d{18, 12, 6} * (cosineTo(hit, way) / (4 * kPi * dot(way, way)));
+  };
+  expectPicture(stage, draw(stage), hitPlane, lit, kRounding + 0.02);
+}
+
+TEST_P(LightSources, SpotOfPowerPIsAPointLightInAScreen)
+{
+  const OwnedMesh mesh = plane();
+  Stage stage = planeStage(mesh);
+  stage.lights = {spot(40, 0)};
+  stage.lights[0].color = {9, 9, 9};
+  stage.lights[0].unit = LightUnit::kPower;
+  const auto lit = [](const Hit& hit) -> std::optional<Vec3d> {
+    const Vec3d way = Vec3d{0, 0, 1} - hit.position;
+    const double cosine = normalized(way).z;
+    if (std::fabs(cosine - std::cos(40 * kDegrees)) < 1e-3) return std::nullopt;
+    const bool inside = cosine > std::cos(40 * kDegrees);
+    return gray(inside ? 9 * cosine / (4 * kPi * dot(way, way)) : 0);
+  };
+  expectPicture(stage, draw(stage), hitPlane, lit, kRounding + 0.02);
+}
+
+Light rectangle(Vec3d position, Vec3d halfA, Vec3d halfB, int samples)
+{
+  Light light = point(position, {1, 1, 1});
+  light.kind = LightKind::kRectangle;
+  light.halfSide[0] = halfA;
+  light.halfSide[1] = halfB;
+  light.samples = samples;
+  return light;
+}
+
+Light ball(Vec3d position, double radius, int samples)
+{
+  Light light = point(position, {1, 1, 1});
+  light.kind = LightKind::kSphere;
+  light.radius = radius;
+  light.samples = samples;
+  return light;
+}
+
+TEST_P(LightSources, RectangleOfOneSampleIsAPointAtItsCentreWithTheCosineToItsFront)
+{
+  const OwnedMesh mesh = plane();
+  Stage stage = planeStage(mesh);
+  stage.lights = {rectangle({0.2, 0.1, 1}, {0, 0.7, 0}, {0.9, 0, 0}, 1)};
+  const auto lit = [](const Hit& hit) {
+    const Vec3d way = Vec3d{0.2, 0.1, 1} - hit.position;
+    return gray(std::pow(normalized(way).z, 2) / dot(way, way));
+  };
+  expectPicture(stage, draw(stage), hitPlane, lit, kRounding + 0.02);
+}
+
+TEST_P(LightSources, RectangleSendsNothingBackwards)
+{
+  const OwnedMesh mesh = plane();
+  Stage stage = planeStage(mesh);
+  stage.lights = {rectangle({0.2, 0.1, 1}, {0.9, 0, 0}, {0, 0.7, 0}, 64)};
+  const auto dark = [](const Hit&) { return gray(0); };
+  expectPicture(stage, draw(stage), hitPlane, dark, 0);
+}
+
+/// Form factor from a spot of a plane to a rectangle parallel to it, whose corner is straight above
+/// the spot: x and y are its sides over the distance. Odd in both.
+double formFactor(double x, double y)
+{
+  const double a = std::sqrt(1 + x * x), b = std::sqrt(1 + y * y);
+  return (x / a * std::atan(y / a) + y / b * std::atan(x / b)) / (2 * kPi);
+}
+
+TEST_P(LightSources, ManySamplesOfARectangleNearTheIntegralOverIt)
+{
+  const OwnedMesh mesh = plane();
+  Stage stage = planeStage(mesh);
+  const double a = 0.6, b = 0.4, height = 0.8;
+  const Vec3d centre = {0.1, -0.3, height};
+  stage.lights = {rectangle(centre, {0, b, 0}, {a, 0, 0}, 512)};
+  const auto lit = [&](const Hit& hit) {
+    const Vec3d p = hit.position - centre;
+    double sum = 0;
+    for (const double x : {p.x - a, p.x + a})
+      for (const double y : {p.y - b, p.y + b}) {
+        const double sign = (x == p.x + a) == (y == p.y + b) ? 1 : -1;
+        sum += sign * formFactor(x / height, y / height);
+      }
+    return gray(sum * kPi / (4 * a * b));
+  };
+  expectPicture(stage, draw(stage), hitPlane, lit, kRounding + 0.6);
+}
+
+TEST_P(LightSources, RectangleOfPowerPSendsPOverPiStraightAhead)
+{
+  const OwnedMesh mesh = plane();
+  Stage stage = planeStage(mesh);
+  stage.width = stage.height = 95;
+  stage.lights = {rectangle({0, 0, 1}, {0, 1, 0}, {1, 0, 0}, 1)};
+  stage.lights[0].color = {2, 2, 2};
+  stage.lights[0].unit = LightUnit::kPower;
+  EXPECT_NEAR(at(draw(stage), 47, 47).g, 255 * 2 / kPi, kRounding);
+}
+
+TEST_P(LightSources, BallLightsWhatLiesOutsideItLikeItsCentre)
+{
+  const OwnedMesh mesh = plane();
+  Stage stage = planeStage(mesh);
+  const Vec3d centre = {-0.2, 0.3, 1.1};
+  stage.lights = {ball(centre, 0.5, 8192)};
+  // Newton's theorem of shells: the field of 1 / r^2 about a ball of even density.
+  const auto lit = [&](const Hit& hit) {
+    const Vec3d way = centre - hit.position;
+    return gray(cosineTo(hit, way) / dot(way, way));
+  };
+  expectPicture(stage, draw(stage), hitPlane, lit, kRounding + 0.6);
+}
+
+TEST_P(LightSources, BallReachesPointsThatItsCentreDoesNot)
+{
+  Stage stage = sphereStage();
+  stage.lights = {ball({0, 0, 3}, 1.9, 200)};
+  const Picture soft = draw(stage);
+  stage.lights = {point({0, 0, 3}, {1, 1, 1})};
+  const Picture hard = draw(stage);
+  std::size_t more = 0, less = 0;
+  for (std::size_t i = 0; i < soft.color.size(); ++i) {
+    more += hard.color[i].r == 0 && soft.color[i].r > 0;
+    less += hard.color[i].r > 0 && soft.color[i].r == 0;
+  }
+  EXPECT_GT(more, 100u);
+  EXPECT_EQ(less, 0u);
+}
+
 }  // namespace
 }  // namespace limn::testing

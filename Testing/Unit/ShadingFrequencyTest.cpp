@@ -105,6 +105,50 @@ TEST_P(Frequencies, FlatLightsAQuadOnceThoughItIsTwoTriangles)
   expectFlat(stage, mesh, draw(stage));
 }
 
+TEST_P(Frequencies, FlatByTheFirstVertexIsTheEquationThere)
+{
+  const OwnedMesh mesh = sphere(8, 12);
+  Stage stage = coarseSphere(mesh);
+  const std::vector<Vec3d> first = firstCorners(mesh.view(), mesh.cells, mesh.cellCount);
+  stage.instances[0].attributes.facePoints = first;
+  std::map<std::uint32_t, Vec3d> corners;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    corners.emplace(mesh.cells[t], mesh.view().position(mesh.triangles[t].vertex[0]));
+  auto faces = facesOf(mesh);
+  const Picture picture = draw(stage);
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < picture.color.size(); ++i) {
+    if (picture.coverage[i] == 0) continue;
+    const std::uint32_t cell = picture.cell[i];
+    const double expected =
+        brightness(corners.at(cell), normalized(faces.at(cell).areaTimesNormal), stage.view.eye);
+    ASSERT_NEAR(picture.color[i].r, 255 * std::min(1.0, expected), kRounding + 0.01);
+    ++seen;
+  }
+  EXPECT_GT(seen, 1000u);
+}
+
+TEST_P(Frequencies, CornersMayHaveNormalsOfTheirOwn)
+{
+  OwnedMesh mesh = sheet({-1, -1, 0}, {2, 0, 0}, {0, 2, 0});
+  Stage stage;
+  stage.view = parallelView({0, 0, 4}, {0, 0, 0}, 1);
+  Light light;
+  stage.lights = {light};
+  stage.instances = {instanceOf(mesh)};
+  const std::vector<Vec3f> normals = {{0, 0, 1}, {0.6f, 0, 0.8f}};
+  const std::vector<std::uint32_t> ofCorner = {1, 1, 1, 0, 0, 0};
+  stage.instances[0].attributes.vertexNormals = normals;
+  stage.instances[0].attributes.normalOfCorner = ofCorner;
+  const Picture picture = draw(stage);
+  std::size_t bright = 0, dark = 0;
+  for (const Rgba8& color : picture.color) {
+    ASSERT_TRUE(color.r == 255 || color.r == 204) << int{color.r};
+    ++(color.r == 255 ? bright : dark);
+  }
+  EXPECT_NEAR(static_cast<double>(bright), static_cast<double>(dark), 100);
+}
+
 /// A sheet of 4 x 4 cells, 16 pixels each, whose vertices lie on pixel centres; normals swing.
 struct Wavy {
   OwnedMesh mesh;

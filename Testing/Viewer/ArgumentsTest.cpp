@@ -235,6 +235,64 @@ TEST(Arguments, LightsKeepTheirOrder)
   EXPECT_EQ(lights[3].kind, LightKind::Headlight);
 }
 
+TEST(Arguments, LightsWithAShapePowerOrSoftEdgeAreRead)
+{
+  const auto lights = parseRender(
+    { "--light=point:1,2,3:9,8,7:0.5,0,2", "--light=point:1,2,3:power=9,8,7",
+      "--light=spot:0,0,5:0,0,-1:20:4:1,1,0:7.5", "--light=rectangle:1,2,3:2,0,0:0,0,4:1,2,3",
+      "--light=sphere:1,2,3:0.5:power=4,5,6:99",
+      "--light=rectangle:1,2,3:2,0,0:0,0,4:power=1,2,3:1" })
+                        .scene.lights;
+  ASSERT_EQ(lights.size(), 6u);
+  EXPECT_EQ(lights[0].attenuation, (Vector3{ 0.5, 0, 2 }));
+  EXPECT_FALSE(lights[0].isPower);
+  EXPECT_TRUE(lights[1].isPower);
+  EXPECT_EQ(lights[1].color, (Color{ 9, 8, 7 }));
+  EXPECT_EQ(lights[1].attenuation, (Vector3{ 0, 0, 1 }));
+  EXPECT_EQ(lights[2].softDegrees, 7.5);
+  EXPECT_EQ(lights[3].kind, LightKind::Rectangle);
+  EXPECT_EQ(lights[3].sides[0], (Vector3{ 2, 0, 0 }));
+  EXPECT_EQ(lights[3].sides[1], (Vector3{ 0, 0, 4 }));
+  EXPECT_EQ(lights[3].samples, 16);
+  EXPECT_EQ(lights[4].kind, LightKind::Sphere);
+  EXPECT_EQ(lights[4].radius, 0.5);
+  EXPECT_TRUE(lights[4].isPower);
+  EXPECT_EQ(lights[4].samples, 99);
+  EXPECT_EQ(lights[5].samples, 1);
+}
+
+TEST(Arguments, LightsThatCannotBeAreRefused)
+{
+  for (const std::string light : { "point:1,2,3:1,1,1:0,0,0", "point:1,2,3:1,1,1:-1,0,1",
+         "point:1,2,3:power=1,1,1:1,0,0", "point:1,2,3:power=1,1", "directional:0,0,1:power=1,1,1",
+         "spot:0,0,5:0,0,-1:20:4:1,1,0:21", "spot:0,0,5:0,0,-1:20:4:1,1,0:-1",
+         "rectangle:1,2,3:2,0,0:1,0,4:1,2,3", "rectangle:1,2,3:2,0,0:0,0,0:1,2,3",
+         "rectangle:1,2,3:2,0,0:0,0,4:1,2,3:0", "sphere:1,2,3:0:1,1,1",
+         "sphere:1,2,3:1:1,1,1:70000", "sphere:1,2,3:1:1,1,1:1.5", "headlight:1,1,1" })
+  {
+    EXPECT_EQ(renderErrorOf({ "--light=" + light }).rfind("--light=" + light + " is not ", 0), 0u)
+      << renderErrorOf({ "--light=" + light });
+  }
+}
+
+TEST(Arguments, NormalsAndFlatPointAreRead)
+{
+  const MaterialSettings smooth =
+    parseRender({ "--normals=angle", "--feature-angle=30" }).scene.material;
+  EXPECT_EQ(smooth.normals, Normals::Angle);
+  EXPECT_EQ(smooth.featureAngleDegrees, 30);
+  const MaterialSettings flat =
+    parseRender({ "--shading=flat", "--flat-point=first-vertex" }).scene.material;
+  EXPECT_EQ(flat.flatPoint, FlatPoint::FirstVertex);
+  EXPECT_EQ(renderErrorOf({ "--flat-point=centroid" }), "--flat-point needs --shading=flat");
+  EXPECT_EQ(renderErrorOf({ "--shading=flat", "--normals=area" }),
+    "--normals and --shading=flat exclude each other; give one");
+  EXPECT_EQ(renderErrorOf({ "--shading=flat", "--feature-angle=3" }),
+    "--feature-angle and --shading=flat exclude each other; give one");
+  EXPECT_EQ(renderErrorOf({ "--feature-angle=181" }),
+    "--feature-angle=181 is not between 0 and 180 degrees");
+}
+
 TEST(Arguments, PictureAndColoringAreRead)
 {
   const RenderSettings settings = parseRender({ "--resolution=64,48", "--samples=2", "--threads=3",
@@ -265,8 +323,8 @@ TEST(Arguments, UnknownOptionsAreNamedWithTheHelpToRead)
 
 TEST(Arguments, OptionsOfLaterVersionsAreNamedAsSuch)
 {
-  for (const std::string option : { "--toon-steps", "--outline-width", "--feature-angle", "--edges",
-         "--line-width", "--point-size" })
+  for (const std::string option :
+    { "--toon-steps", "--outline-width", "--edges", "--line-width", "--point-size" })
   {
     const std::string expected = option + " is not served by this version; ";
     EXPECT_EQ(renderErrorOf({ option + "=1" }).substr(0, expected.size()), expected);
@@ -431,14 +489,14 @@ TEST(Arguments, HelpListsEveryServedOption)
   for (const std::string option :
     { "--output", "--resolution", "--camera-position", "--camera-focal-point", "--camera-view-up",
       "--camera-view-angle", "--camera-orthographic", "--camera-parallel-scale", "--up", "--color",
-      "--background-color", "--no-background", "--opacity", "--shading", "--reflection", "--tone",
-      "--roughness", "--metallic", "--fresnel", "--refractive-index", "--rim", "--rim-power",
-      "--model", "--texture", "--texture-role", "--texture-mode", "--texture-filter",
-      "--texture-wrap", "--anisotropy", "--bump", "--bump-scale", "--normal-map", "--lightmap",
-      "--procedural", "--procedural-scale", "--cool", "--warm", "--ambient", "--diffuse",
-      "--specular", "--specular-power", "--light", "--ambient-light", "--outline",
-      "--outline-color", "--coloring-array", "--colormap", "--coloring-range", "--samples",
-      "--backface-culling", "--threads", "--window", "--stats" })
+      "--background-color", "--no-background", "--opacity", "--shading", "--flat-point",
+      "--normals", "--feature-angle", "--reflection", "--tone", "--roughness", "--metallic",
+      "--fresnel", "--refractive-index", "--rim", "--rim-power", "--model", "--texture",
+      "--texture-role", "--texture-mode", "--texture-filter", "--texture-wrap", "--anisotropy",
+      "--bump", "--bump-scale", "--normal-map", "--lightmap", "--procedural", "--procedural-scale",
+      "--cool", "--warm", "--ambient", "--diffuse", "--specular", "--specular-power", "--light",
+      "--ambient-light", "--outline", "--outline-color", "--coloring-array", "--colormap",
+      "--coloring-range", "--samples", "--backface-culling", "--threads", "--window", "--stats" })
   {
     EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
   }

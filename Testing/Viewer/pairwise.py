@@ -19,7 +19,9 @@ CHOICES = {
         ["--light=headlight"],
         ["--light=directional:1,-1,-1:1,1,1", "--ambient-light=0.2,0.2,0.2"],
         ["--light=point:2,3,4:20,18,16"],
-        ["--light=spot:0,4,4:0,-1,-1:30:4:30,28,26"],
+        ["--light=spot:0,4,4:0,-1,-1:30:4:30,28,26:12"],
+        ["--light=rectangle:0,2,4:3,0,0:0,-2,-1:power=90,90,90:7"],
+        ["--light=sphere:2,3,4:1.5:18,16,20:5"],
         ["--light=directional:1,0,-1:0.9,0.2,0.2", "--light=point:-3,2,3:3,9,3", "--light=headlight"],
     ],
     "reflection": [
@@ -47,7 +49,13 @@ CHOICES = {
         ["--procedural=marble", "--texture-mode=decal"],
         ["--procedural=wood", "--procedural-scale=4"],
     ],
-    "frequency": [["--shading=" + name] for name in ("flat", "gouraud", "phong")],
+    "frequency": [
+        ["--shading=flat"],
+        ["--shading=flat", "--flat-point=first-vertex"],
+        ["--shading=gouraud", "--normals=angle"],
+        ["--shading=phong"],
+        ["--shading=phong", "--normals=uniform", "--feature-angle=5"],
+    ],
     "camera": [[], ["--camera-orthographic"]],
     "samples": [["--samples=" + n] for n in ("1", "2", "4", "8")],
 }

@@ -6,14 +6,19 @@
 #include "Picture.h"
 #include "Stage.h"
 
+#include "vtkLimnLight.h"
 #include "vtkLimnProperty.h"
 
 #include "vtkLight.h"
+#include "vtkMatrix4x4.h"
+
+#include <cmath>
 
 namespace
 {
 /// The grey of pixel (x, y) of a white square over the whole window, lit by one light.
-int greyAt(int x, int y, void (*arrange)(vtkLight*, Stage&))
+template <class AnyLight>
+int greyAt(int x, int y, void (*arrange)(AnyLight*, Stage&))
 {
   Stage stage;
   stage.LookFlat();
@@ -24,20 +29,145 @@ int greyAt(int x, int y, void (*arrange)(vtkLight*, Stage&))
   addCell(polys, { 0, 1, 2, 3 });
   data->SetPolys(polys);
   stage.Mapper->SetInputData(data);
-  vtkNew<vtkLight> light;
+  vtkNew<AnyLight> light;
   arrange(light, stage);
   stage.Renderer->AddLight(light);
   return render(stage.Window).At(x, y)[0];
+}
+
+int greyAt(int x, int y, void (*arrange)(vtkLight*, Stage&))
+{
+  return greyAt<vtkLight>(x, y, arrange);
 }
 
 bool isNear(int value, double expected)
 {
   return std::abs(value - expected) <= 1;
 }
+
+void hang(vtkLimnLight* light, double height)
+{
+  light->SetConeAngle(180);
+  light->SetPosition(50.5, 40.5, height);
+  light->SetFocalPoint(50.5, 40.5, 0);
+}
+
+void checkShapes()
+{
+  // One sample: at the middle. At distance 40 beside it cos = 0.6, twice for a rectangle.
+  const auto panel = [](vtkLimnLight* light, Stage&)
+  {
+    light->SetShapeToRectangle();
+    light->SetSamples(1);
+    hang(light, 30);
+  };
+  CHECK_EQUAL(greyAt<vtkLimnLight>(50, 40, panel), 255);
+  CHECK(isNear(greyAt<vtkLimnLight>(90, 40, panel), 255 * 0.36));
+  const auto away = [](vtkLimnLight* light, Stage&)
+  {
+    light->SetShapeToRectangle();
+    hang(light, 30);
+    light->SetFocalPoint(50.5, 40.5, 60);
+  };
+  CHECK_EQUAL(greyAt<vtkLimnLight>(50, 40, away), 0);
+  const auto globe = [](vtkLimnLight* light, Stage&)
+  {
+    light->SetShapeToSphere();
+    light->SetSamples(1);
+    hang(light, 30);
+  };
+  CHECK(isNear(greyAt<vtkLimnLight>(90, 40, globe), 255 * 0.6));
+
+  // A rod along x, 30 above: beside it the light of its length, across it of a point.
+  const auto rodAlongX = [](vtkLimnLight* light, Stage&)
+  {
+    light->SetShapeToRectangle();
+    light->SetWidth(60);
+    light->SetHeight(1e-3);
+    light->SetSamples(64);
+    hang(light, 30);
+  };
+  const auto rodAlongY = [](vtkLimnLight* light, Stage&)
+  {
+    light->SetShapeToRectangle();
+    light->SetWidth(60);
+    light->SetHeight(1e-3);
+    light->SetViewUp(1, 0, 0);
+    light->SetSamples(64);
+    hang(light, 30);
+  };
+  const int beside = greyAt<vtkLimnLight>(80, 40, rodAlongX);
+  const int across = greyAt<vtkLimnLight>(80, 40, rodAlongY);
+  CHECK(beside > across + 15);
+  CHECK(isNear(greyAt<vtkLimnLight>(50, 70, rodAlongX), across));
+}
+
+void checkPower()
+{
+  // P / (4 pi r^2) at r = 0.5, whatever the attenuation.
+  const auto bulb = [](vtkLimnLight* light, Stage&)
+  {
+    light->PositionalOn();
+    light->SetUnitToPower();
+    light->SetIntensity(2);
+    hang(light, 0.5);
+  };
+  CHECK(isNear(greyAt<vtkLimnLight>(50, 40, bulb), 255 * 2 / (4 * 3.14159265358979 * 0.25)));
+}
+
+void checkSoftEdge()
+{
+  const auto spot = [](vtkLimnLight* light, Stage&)
+  {
+    light->PositionalOn();
+    hang(light, 30);
+    light->SetConeAngle(60);
+    light->SetExponent(0);
+    light->SetSoftEdgeAngle(30);
+  };
+  // At 45 degrees: t between the cosines of 60 and 30.
+  const double t = (std::sqrt(0.5) - 0.5) / (std::sqrt(0.75) - 0.5);
+  CHECK(isNear(greyAt<vtkLimnLight>(80, 40, spot), 255 * std::sqrt(0.5) * t * t * (3 - 2 * t)));
+  CHECK_EQUAL(greyAt<vtkLimnLight>(50, 40, spot), 255);
+}
+
+// Of a light that moves with the camera, whose matrix has a scale.
+void checkTransform()
+{
+  const auto scaled = [](vtkLimnLight* light, Stage&)
+  {
+    light->SetShapeToRectangle();
+    light->SetWidth(6);
+    light->SetHeight(1e-4);
+    light->SetSamples(64);
+    light->SetConeAngle(180);
+    light->SetPosition(5.05, 4.05, 3);
+    light->SetFocalPoint(5.05, 4.05, 0);
+    vtkNew<vtkMatrix4x4> matrix;
+    for (int i = 0; i < 3; ++i)
+    {
+      matrix->SetElement(i, i, 10);
+    }
+    light->SetTransformMatrix(matrix);
+  };
+  const auto same = [](vtkLimnLight* light, Stage&)
+  {
+    light->SetShapeToRectangle();
+    light->SetWidth(60);
+    light->SetHeight(1e-3);
+    light->SetSamples(64);
+    hang(light, 30);
+  };
+  CHECK_EQUAL(greyAt<vtkLimnLight>(80, 40, scaled), greyAt<vtkLimnLight>(80, 40, same));
+}
 }
 
 int TestLimnLights(int, char*[])
 {
+  checkShapes();
+  checkPower();
+  checkSoftEdge();
+  checkTransform();
   const auto slanted = [](vtkLight* light, Stage&)
   {
     light->SetPosition(0, 60, 80);

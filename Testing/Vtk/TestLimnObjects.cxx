@@ -10,6 +10,7 @@
 #include "vtkLimnEngine.h"
 #include "vtkLimnHardwareSelector.h"
 #include "vtkLimnPostEffects.h"
+#include "vtkLimnLight.h"
 #include "vtkLimnProperty.h"
 #include "vtkLimnRenderWindowInteractor.h"
 #include "vtkLimnShaderProperty.h"
@@ -46,10 +47,56 @@ void checkActorCopy()
   CHECK(vtkLimnProperty::SafeDownCast(copy->GetProperty()) != nullptr);
 }
 
+std::string printed(vtkLight* light)
+{
+  std::ostringstream text;
+  light->PrintSelf(text, vtkIndent());
+  const std::string all = text.str();
+  return all.substr(all.find("AmbientColor"));
+}
+
+void checkLightCopy()
+{
+  vtkNew<vtkLimnLight> light;
+  CHECK(!light->GetPositional());
+  light->SetShapeToRectangle();
+  CHECK(light->GetPositional());
+  light->SetWidth(3);
+  light->SetHeight(4);
+  light->SetViewUp(0, 0, 1);
+  light->SetRadius(5);
+  light->SetSamples(6);
+  light->SetSoftEdgeAngle(7);
+  light->SetUnitToPower();
+  light->SetIntensity(0.5);
+  vtkNew<vtkLimnLight> copy;
+  copy->DeepCopy(light);
+  CHECK_EQUAL(printed(copy), printed(light));
+  CHECK_EQUAL(std::string(copy->GetShapeAsString()), "Rectangle");
+  CHECK_EQUAL(std::string(copy->GetUnitAsString()), "Power");
+  vtkSmartPointer<vtkLight> clone;
+  clone.TakeReference(light->ShallowClone());
+  CHECK(vtkLimnLight::SafeDownCast(clone) != nullptr);
+  CHECK_EQUAL(printed(clone), printed(light));
+  vtkNew<vtkLight> plain;
+  copy->DeepCopy(plain);
+  CHECK_EQUAL(copy->GetIntensity(), 1.0);
+  light->SetSamples(0);
+  CHECK_EQUAL(light->GetSamples(), 1);
+  light->SetShape(99);
+  CHECK_EQUAL(std::string(light->GetShapeAsString()), "Sphere");
+  const vtkMTimeType time = light->GetMTime();
+  light->SetShapeToSphere();
+  CHECK_EQUAL(light->GetMTime(), time);
+}
+
 void checkPropertyCopy()
 {
   vtkNew<vtkLimnProperty> property;
   property->SetShadingFrequencyToGouraud();
+  property->SetFlatPointToFirstVertex();
+  property->SetVertexNormalsToByAngle();
+  property->SetFeatureAngle(35);
   property->SetReflectionModelToPhong();
   property->FresnelOn();
   property->SetRefractiveIndex(1.1, 1.2, 1.3);
@@ -187,6 +234,7 @@ int TestLimnObjects(int, char*[])
   checkPrint<vtkLimnUniforms>("vtkLimnUniforms");
   checkActorCopy();
   checkPropertyCopy();
+  checkLightCopy();
   checkShaderProperty();
   checkUniforms();
   checkEngine();

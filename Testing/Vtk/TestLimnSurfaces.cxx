@@ -310,10 +310,131 @@ void checkLocalModels()
       vtkLimnProperty::REFLECTION_LOCAL_5, 0.2 + glossy / 4, 0.1 + (0.4 + glossy) / 4, glossy / 4);
   }
 }
+
+/// A roof of two slopes that meet at x = 50, 45 degrees to the eye each, over the whole window.
+vtkSmartPointer<vtkPolyData> roof()
+{
+  vtkNew<vtkPoints> points;
+  const double corners[][3] = { { 0, 0, -0.5 }, { 50, 0, 0.5 }, { 100, 0, -0.5 }, { 0, 80, -0.5 },
+    { 50, 80, 0.5 }, { 100, 80, -0.5 } };
+  for (const auto& corner : corners)
+  {
+    points->InsertNextPoint(corner[0], corner[1], 50 * corner[2]);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  vtkNew<vtkCellArray> polys;
+  addCell(polys, { 0, 1, 4, 3 });
+  addCell(polys, { 1, 2, 5, 4 });
+  data->SetPolys(polys);
+  return data;
+}
+
+int ridgeOf(vtkPolyData* data, void (*arrange)(vtkLimnProperty*))
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Renderer->GetActiveCamera()->SetPosition(50, 40, 60);
+  stage.Renderer->GetActiveCamera()->SetClippingRange(1, 100);
+  stage.Mapper->SetInputData(data);
+  auto* property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+  property->LightingOn();
+  arrange(property);
+  return render(stage.Window).At(50, 40)[0];
+}
+
+// At the ridge a headlight gives 1 to the mean normal and 0.707 to those of the slopes.
+void checkVertexNormals()
+{
+  const auto phong = [](vtkLimnProperty* property) { property->SetShadingFrequencyToPhong(); };
+  const auto sharp = [](vtkLimnProperty* property)
+  {
+    property->SetShadingFrequencyToPhong();
+    property->SetFeatureAngle(89);
+  };
+  const auto blunt = [](vtkLimnProperty* property)
+  {
+    property->SetShadingFrequencyToPhong();
+    property->SetFeatureAngle(91);
+  };
+  const auto angle = [](vtkLimnProperty* property)
+  {
+    property->SetShadingFrequencyToPhong();
+    property->SetVertexNormalsToByAngle();
+  };
+  CHECK(ridgeOf(roof(), phong) >= 253);
+  CHECK_EQUAL(ridgeOf(roof(), sharp), 180);
+  CHECK(ridgeOf(roof(), blunt) >= 253);
+
+  // Normals of the data win unless others are asked for, then also as VTK shades.
+  vtkSmartPointer<vtkPolyData> data = roof();
+  vtkSmartPointer<vtkFloatArray> normals = vectorArray({ { 0.6, 0, 0.8 }, { 0.6, 0, 0.8 },
+    { 0.6, 0, 0.8 }, { 0.6, 0, 0.8 }, { 0.6, 0, 0.8 }, { 0.6, 0, 0.8 } });
+  data->GetPointData()->SetNormals(normals);
+  CHECK_EQUAL(ridgeOf(data, phong), 204);
+  CHECK(ridgeOf(data, angle) >= 253);
+  CHECK_EQUAL(ridgeOf(data, sharp), 180);
+  const auto asVtk = [](vtkLimnProperty*) {};
+  const auto asVtkByArea = [](vtkLimnProperty* property) { property->SetVertexNormalsToByArea(); };
+  CHECK_EQUAL(ridgeOf(data, asVtk), 204);
+  CHECK(ridgeOf(data, asVtkByArea) >= 253);
+}
+
+// More looks of one surface than are kept from frame to frame.
+void checkManyNormalsOfOneMapper()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(roof());
+  stage.Renderer->GetActiveCamera()->SetPosition(50, 40, 60);
+  stage.Renderer->GetActiveCamera()->SetClippingRange(1, 100);
+  stage.Actor->VisibilityOff();
+  std::vector<vtkSmartPointer<vtkLimnActor>> actors;
+  for (int i = 0; i < 12; ++i)
+  {
+    auto actor = vtkSmartPointer<vtkLimnActor>::New();
+    actor->SetMapper(stage.Mapper);
+    auto* property = vtkLimnProperty::SafeDownCast(actor->GetProperty());
+    property->SetShadingFrequencyToPhong();
+    property->SetFeatureAngle(i == 0 ? 89 : 91 + i);
+    actor->SetPosition(0, 0, -i);
+    stage.Renderer->AddActor(actor);
+    actors.push_back(actor);
+  }
+  CHECK_EQUAL(render(stage.Window).At(50, 40)[0], 180);
+  CHECK_EQUAL(render(stage.Window).At(50, 40)[0], 180);
+}
+
+// A point light over the corner that comes first, and one over the centre.
+void checkFlatPoints()
+{
+  const auto greyOf = [](double x, double y, int flatPoint)
+  {
+    Stage stage;
+    stage.LookFlat();
+    stage.Mapper->SetInputData(twoSquares());
+    auto* property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+    property->LightingOn();
+    property->SetShadingFrequencyToFlat();
+    property->SetFlatPoint(flatPoint);
+    vtkNew<vtkLight> light;
+    light->PositionalOn();
+    light->SetConeAngle(180);
+    light->SetPosition(x, y, 1);
+    stage.Renderer->AddLight(light);
+    return int{ render(stage.Window).At(20, 20)[0] };
+  };
+  CHECK_EQUAL(greyOf(10, 10, vtkLimnProperty::FLAT_AT_FIRST_VERTEX), 255);
+  CHECK(greyOf(20, 20, vtkLimnProperty::FLAT_AT_FIRST_VERTEX) < 30);
+  CHECK_EQUAL(greyOf(20, 20, vtkLimnProperty::FLAT_AT_CENTROID), 255);
+}
 }
 
 int TestLimnSurfaces(int, char*[])
 {
+  checkVertexNormals();
+  checkManyNormalsOfOneMapper();
+  checkFlatPoints();
   checkLocalModels();
   checkPolygonsAndStrips();
   checkPointTypes();

@@ -7,6 +7,7 @@
 #include "Picture.h"
 #include "Stage.h"
 
+#include "vtkLimnLight.h"
 #include "vtkLimnProperty.h"
 
 #include "vtkLight.h"
@@ -261,6 +262,54 @@ void checkBrokenLight()
   CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 0);
   CHECK_EQUAL(messages.Count("Light 0 has a value that is not a finite number"), 1);
 }
+
+void checkImpossibleLights()
+{
+  const struct
+  {
+    const char* message;
+    void (*spoil)(vtkLimnLight*);
+  } cases[] = {
+    { "Light 0 is a rectangle without an area",
+      [](vtkLimnLight* light)
+      {
+        light->SetShapeToRectangle();
+        light->SetWidth(0);
+      } },
+    { "Light 0 is a sphere whose radius is not above 0",
+      [](vtkLimnLight* light)
+      {
+        light->SetShapeToSphere();
+        light->SetRadius(-1);
+      } },
+    { "70000 lights, each sample of an area light counted, are more than 65536",
+      [](vtkLimnLight* light)
+      {
+        light->SetShapeToSphere();
+        light->SetSamples(70000);
+      } },
+    { "Light 0 is directional and has no power",
+      [](vtkLimnLight* light) { light->SetUnitToPower(); } },
+    { "Light 0 has a soft edge that is not 0 to its cone angle wide",
+      [](vtkLimnLight* light)
+      {
+        light->PositionalOn();
+        light->SetSoftEdgeAngle(31);
+      } },
+  };
+  for (const auto& one : cases)
+  {
+    Stage stage;
+    stage.LookFlat();
+    stage.Mapper->SetInputData(twoSquares());
+    vtkNew<vtkLimnLight> light;
+    one.spoil(light);
+    stage.Renderer->AddLight(light);
+    Messages messages;
+    CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 0);
+    CHECK_EQUAL(messages.Count(one.message), 1);
+  }
+}
 }
 
 int TestLimnWarnings(int, char*[])
@@ -274,5 +323,6 @@ int TestLimnWarnings(int, char*[])
   checkBrokenReflection();
   checkMissingInput();
   checkBrokenLight();
+  checkImpossibleLights();
   return result();
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneFromRenderer.h"
 
+#include "vtkLimnLight.h"
+
 #include "vtkCamera.h"
 #include "vtkLight.h"
 #include "vtkLightCollection.h"
@@ -9,6 +11,8 @@
 #include "vtkRenderer.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 namespace limn::bridge
 {
@@ -38,10 +42,68 @@ Light positionalLight(vtkLight* source)
   return light;
 }
 
+Vec3d transformedVector(vtkLight* source, Vec3d vector)
+{
+  double from[3] = { vector.x, vector.y, vector.z };
+  double to[3] = { vector.x, vector.y, vector.z };
+  if (source->GetTransformMatrix())
+  {
+    source->TransformVector(from, to);
+  }
+  return { to[0], to[1], to[2] };
+}
+
+/// Half the sides of a rectangle that faces the focal point, in the light's own coordinates.
+std::array<Vec3d, 2> halfSidesOf(vtkLimnLight* source)
+{
+  const double* const position = source->GetPosition();
+  const double* const focus = source->GetFocalPoint();
+  const double* const up = source->GetViewUp();
+  const Vec3d ahead =
+    normalized(Vec3d{ focus[0] - position[0], focus[1] - position[1], focus[2] - position[2] });
+  Vec3d right = cross(Vec3d{ up[0], up[1], up[2] }, ahead);
+  if (right == Vec3d{ 0, 0, 0 })
+  {
+    right = cross(std::fabs(ahead.y) < 0.9 ? Vec3d{ 0, 1, 0 } : Vec3d{ 0, 0, 1 }, ahead);
+  }
+  right = normalized(right);
+  return { right * (source->GetWidth() / 2), cross(ahead, right) * (source->GetHeight() / 2) };
+}
+
+/// By which factor lengths grow, on the average, in the light's transform.
+double scaleOf(vtkLight* source)
+{
+  vtkMatrix4x4* const matrix = source->GetTransformMatrix();
+  return matrix ? std::cbrt(std::fabs(matrix->Determinant())) : 1;
+}
+
+void setShape(vtkLimnLight* source, Light& light)
+{
+  light.samples = source->GetSamples();
+  if (source->GetShape() == vtkLimnLight::SHAPE_SPHERE)
+  {
+    light.kind = LightKind::kSphere;
+    light.radius = source->GetRadius() * scaleOf(source);
+  }
+  else if (source->GetShape() == vtkLimnLight::SHAPE_RECTANGLE)
+  {
+    light.kind = LightKind::kRectangle;
+    const auto [width, height] = halfSidesOf(source);
+    light.halfSide[0] = transformedVector(source, width);
+    light.halfSide[1] = transformedVector(source, height);
+  }
+  light.softDegrees = static_cast<float>(source->GetSoftEdgeAngle());
+  if (source->GetUnit() == vtkLimnLight::UNIT_POWER)
+  {
+    light.unit = LightUnit::kPower;
+  }
+}
+
 Light translate(vtkLight* source)
 {
   Light light;
-  if (source->GetPositional())
+  vtkLimnLight* const limn = vtkLimnLight::SafeDownCast(source);
+  if (source->GetPositional() || (limn && limn->GetShape() != vtkLimnLight::SHAPE_POINT))
   {
     light = positionalLight(source);
   }
@@ -56,6 +118,10 @@ Light translate(vtkLight* source)
   light.position = { position[0], position[1], position[2] };
   light.direction = Vec3d{ focus[0], focus[1], focus[2] } - light.position;
   light.color = toVec3f(source->GetDiffuseColor()) * static_cast<float>(source->GetIntensity());
+  if (limn)
+  {
+    setShape(limn, light);
+  }
   return light;
 }
 

@@ -24,11 +24,37 @@ int frequencyOf(vtkProperty* property)
   return limn ? limn->GetShadingFrequency() : vtkLimnProperty::FREQUENCY_AS_VTK;
 }
 
+NormalChoice normalChoiceOf(vtkProperty* property)
+{
+  NormalChoice choice;
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  if (!limn)
+  {
+    return choice;
+  }
+  choice.featureDegrees = limn->GetFeatureAngle();
+  switch (limn->GetVertexNormals())
+  {
+    case vtkLimnProperty::NORMALS_UNIFORM:
+      choice.weight = NormalWeight::kUniform;
+      break;
+    case vtkLimnProperty::NORMALS_BY_ANGLE:
+      choice.weight = NormalWeight::kAngle;
+      break;
+    default:
+      choice.weight = NormalWeight::kArea;
+  }
+  choice.fromData =
+    limn->GetVertexNormals() == vtkLimnProperty::NORMALS_FROM_DATA && choice.featureDegrees >= 180;
+  return choice;
+}
+
 /// VTK lights every pixel; its interpolation chooses the normals. Normals of points win over those
-/// of cells.
+/// of cells, and normals that the user wants computed over both.
 NormalSource normalsAsVtk(vtkProperty* property, const SurfaceMesh& mesh)
 {
-  if (property->GetInterpolation() != VTK_FLAT && mesh.hasPointNormals())
+  if (property->GetInterpolation() != VTK_FLAT &&
+      (mesh.hasPointNormals() || !normalChoiceOf(property).fromData))
   {
     return NormalSource::kVertex;
   }
@@ -284,9 +310,19 @@ SurfaceNeeds needsOf(vtkProperty* property)
 {
   const int frequency = frequencyOf(property);
   SurfaceNeeds needs;
+  needs.normals = normalChoiceOf(property);
   needs.vertexNormals = frequency == vtkLimnProperty::FREQUENCY_GOURAUD ||
                         frequency == vtkLimnProperty::FREQUENCY_PHONG;
-  needs.faceGeometry = frequency == vtkLimnProperty::FREQUENCY_FLAT;
+  if (frequency == vtkLimnProperty::FREQUENCY_AS_VTK)
+  {
+    needs.vertexNormals = property->GetInterpolation() != VTK_FLAT && !needs.normals.fromData;
+  }
+  if (frequency == vtkLimnProperty::FREQUENCY_FLAT)
+  {
+    needs.faceGeometry = true;
+    needs.firstCorners = vtkLimnProperty::SafeDownCast(property)->GetFlatPoint() ==
+                         vtkLimnProperty::FLAT_AT_FIRST_VERTEX;
+  }
   return needs;
 }
 

@@ -181,7 +181,8 @@ std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
   return collector.take();
 }
 
-bool describe(const Surface& surface, Instance& instance, FrameTextures* textures)
+bool describe(
+  const Surface& surface, Instance& instance, FrameNormals& normals, FrameTextures* textures)
 {
   vtkPolyData* const data = inputOf(surface.mapper);
   if (!data->GetPoints() || data->GetNumberOfPoints() == 0)
@@ -215,6 +216,10 @@ bool describe(const Surface& surface, Instance& instance, FrameTextures* texture
   instance.cullFrontFaces = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
   setColors(surface.mapper, data, instance);
   mesh.describe(instance);
+  if (auto computed = mesh.computedNormals())
+  {
+    normals.push_back(std::move(computed));
+  }
   if (textures)
   {
     textures->apply(surface.actor, surface.mapper, data, instance);

@@ -6,8 +6,10 @@
 #include "SurfaceTextures.h"
 #include "WhatIsMissing.h"
 
+#include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Scene.h"
 
+#include <memory>
 #include <vector>
 
 class vtkActor;
@@ -39,10 +41,14 @@ enum class Assemblies
 /// input brought up to date.
 std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies);
 
-/// The surface as an instance of a scene, borrowing from the mapper and from `textures`, without
-/// textures if that is nullptr. False, with a message, if there is nothing to draw or something is
-/// wrong with the mesh.
-bool describe(const Surface& surface, Instance& instance, FrameTextures* textures);
+/// Normals that instances borrow while another actor of the same mapper may have other ones made.
+using FrameNormals = std::vector<std::shared_ptr<const SplitNormals>>;
+
+/// The surface as an instance of a scene, borrowing from the mapper, from `normals`, to which this
+/// adds, and from `textures`, without textures if that is nullptr. False, with a message, if there
+/// is nothing to draw or something is wrong with the mesh.
+bool describe(
+  const Surface& surface, Instance& instance, FrameNormals& normals, FrameTextures* textures);
 
 } // namespace limn::bridge
 

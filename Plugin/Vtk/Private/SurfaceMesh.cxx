@@ -3,7 +3,6 @@
 #include "SurfaceMesh.h"
 
 #include "Rendering/Mesh/BuildClusters.h"
-#include "Rendering/Mesh/VertexNormals.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -45,7 +44,16 @@ bool hasArea(const MeshView& mesh, const Triangle& triangle)
   return !(cross(mesh.position(b) - origin, mesh.position(c) - origin) == Vec3d{ 0, 0, 0 });
 }
 
+// Of one surface with several looks, or one that is being chosen.
+constexpr std::size_t kMostComputedNormals = 4;
+
 } // namespace
+
+bool NormalChoice::operator==(const NormalChoice& other) const
+{
+  return fromData == other.fromData && weight == other.weight &&
+         featureDegrees == other.featureDegrees;
+}
 
 bool SurfaceMesh::CellsVersion::operator==(const CellsVersion& other) const
 {
@@ -86,8 +94,10 @@ Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
   }
   cellsVersion_ = cells;
   pointsVersion_ = points;
-  computedNormals_ = std::vector<Vec3f>();
+  computed_.clear();
+  normals_.reset();
   faces_ = {};
+  firstCorners_ = std::vector<Vec3d>();
   points_.set(data->GetPoints()->GetData());
   return sameCells && refitClusters(this->view(), threads, clusters_)
            ? Status{}
@@ -102,34 +112,82 @@ Status SurfaceMesh::update(vtkPolyData* data, const SurfaceNeeds& needs, int thr
     return buildStatus_;
   }
   this->updateNormals(data);
-  this->supply(data, needs, threads);
+  return this->supply(data, needs, threads);
+}
+
+bool SurfaceMesh::isKept(const NormalChoice& choice) const
+{
+  return std::any_of(
+    computed_.begin(), computed_.end(), [&](const Computed& one) { return one.choice == choice; });
+}
+
+Status SurfaceMesh::computeNormals(const NormalChoice& choice, int threads)
+{
+  auto normals = std::make_shared<SplitNormals>();
+  if (choice.featureDegrees < 180)
+  {
+    const Status status = splitVertexNormals(
+      this->view(), surface_.cells, choice.weight, choice.featureDegrees, threads, *normals);
+    if (!status.ok())
+    {
+      return status;
+    }
+  }
+  else
+  {
+    normals->normals = limn::vertexNormals(this->view(), choice.weight);
+  }
+  if (computed_.size() == kMostComputedNormals)
+  {
+    computed_.erase(computed_.begin());
+  }
+  computed_.push_back({ choice, std::move(normals) });
   return {};
 }
 
-void SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
+Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
 {
-  const bool lacksNormals =
-    needs.vertexNormals && !this->hasPointNormals() && computedNormals_.empty();
+  const bool computesNormals =
+    needs.vertexNormals && !(needs.normals.fromData && this->hasPointNormals());
+  const bool lacksNormals = computesNormals && !this->isKept(needs.normals);
   const bool lacksFaces = needs.faceGeometry && faces_.centroid.empty();
+  const bool lacksCorners = needs.firstCorners && firstCorners_.empty();
   const bool lacksTriangles = surface_.triangles.empty() && !this->isEmpty();
-  if (lacksTriangles && (lacksNormals || lacksFaces || needs.triangles))
+  if (lacksTriangles && (lacksNormals || lacksFaces || lacksCorners || needs.triangles))
   {
     surface_ = trianglesFromPolyData(data, threads);
   }
   if (lacksNormals)
   {
-    computedNormals_ = areaWeightedNormals(this->view());
+    if (const Status status = this->computeNormals(needs.normals, threads); !status.ok())
+    {
+      return status;
+    }
+  }
+  normals_.reset();
+  if (computesNormals)
+  {
+    const auto chosen = std::find_if(computed_.begin(), computed_.end(),
+      [&](const Computed& one) { return one.choice == needs.normals; });
+    std::rotate(chosen, chosen + 1, computed_.end());
+    normals_ = computed_.back().normals;
   }
   if (lacksFaces)
   {
     faces_ = faceGeometry(this->view(), surface_.cells, cellCount_);
   }
+  if (lacksCorners)
+  {
+    firstCorners_ = limn::firstCorners(this->view(), surface_.cells, cellCount_);
+  }
+  isLitAtFirstCorners_ = needs.firstCorners;
   if (!needs.triangles)
   {
     // The pipeline reads clusters only, and of a large mesh these are hundreds of megabytes, which
     // an empty list of initializers would keep.
     surface_.triangles = Array<Triangle>();
   }
+  return {};
 }
 
 Status SurfaceMesh::rebuild(vtkPolyData* data, int threads)
@@ -172,14 +230,18 @@ void SurfaceMesh::describe(Instance& instance) const
   instance.clusters = &clusters_;
   instance.mesh = this->view();
   Attributes& attributes = instance.attributes;
-  attributes.vertexNormals =
-    pointNormals_.span().empty() ? Span<const Vec3f>(computedNormals_) : pointNormals_.span();
+  attributes.vertexNormals = pointNormals_.span();
+  if (normals_)
+  {
+    attributes.vertexNormals = normals_->normals;
+    attributes.normalOfCorner = normals_->ofCorner;
+  }
   attributes.cellNormals = cellNormals_.span();
   if (colors_)
   {
     (colorCellFlag_ == 0 ? attributes.vertexColors : attributes.cellColors) = colorsOf(colors_);
   }
-  attributes.faceCentroids = faces_.centroid;
+  attributes.facePoints = isLitAtFirstCorners_ ? firstCorners_ : faces_.centroid;
   attributes.faceNormals = faces_.normal;
   attributes.cells = surface_.cells;
   attributes.cellCount = cellCount_;

@@ -8,12 +8,15 @@
 
 #include "Rendering/Base/Status.h"
 #include "Rendering/Mesh/FaceGeometry.h"
+#include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Scene.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
+#include <memory>
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkPolyData;
@@ -22,12 +25,24 @@ class vtkUnsignedCharArray;
 namespace limn::bridge
 {
 
+/// Where vertex normals come from.
+struct NormalChoice
+{
+  bool fromData = true; ///< if there are any
+  NormalWeight weight = NormalWeight::kArea;
+  double featureDegrees = 180; ///< from here on edges are smooth
+
+  bool operator==(const NormalChoice& other) const;
+};
+
 /// Which arrays a style reads besides the geometry.
 struct SurfaceNeeds
 {
-  bool vertexNormals = false; ///< computed where the data has none
+  bool vertexNormals = false;
+  NormalChoice normals;
   bool faceGeometry = false;
-  bool triangles = false; ///< for the reference renderer
+  bool firstCorners = false; ///< to light faces at, in place of their centroids
+  bool triangles = false;    ///< for the reference renderer
 };
 
 /// What one mapper keeps of its input between frames. Geometry is prepared anew only when cells are
@@ -42,7 +57,11 @@ public:
   /// Colours of the points (`cellFlag` 0) or cells (1), kept by reference; nullptr for none.
   void setColors(vtkUnsignedCharArray* colors, int cellFlag);
 
-  /// Sets the instance's geometry and attributes; they are valid until the next update().
+  /// Normals that update() computed last; keep them while an instance has them.
+  std::shared_ptr<const SplitNormals> computedNormals() const { return normals_; }
+
+  /// Sets the instance's geometry and attributes as the last update() asked for them; they are
+  /// valid until the data changes, but for computedNormals().
   void describe(Instance& instance) const;
 
   bool isEmpty() const { return this->clusters_.triangleCount == 0; }
@@ -76,7 +95,9 @@ private:
   static PointsVersion pointsVersionOf(vtkPolyData* data);
   Status updateGeometry(vtkPolyData* data, int threads);
   Status rebuild(vtkPolyData* data, int threads);
-  void supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
+  Status supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
+  bool isKept(const NormalChoice& choice) const;
+  Status computeNormals(const NormalChoice& choice, int threads);
   void updateNormals(vtkPolyData* data);
   MeshView view() const;
 
@@ -92,8 +113,16 @@ private:
 
   VectorArray pointNormals_;
   VectorArray cellNormals_;
-  std::vector<Vec3f> computedNormals_;
+  struct Computed
+  {
+    NormalChoice choice;
+    std::shared_ptr<const SplitNormals> normals;
+  };
+  std::vector<Computed> computed_; ///< the last used last
+  std::shared_ptr<const SplitNormals> normals_;
   FaceGeometry faces_;
+  std::vector<Vec3d> firstCorners_;
+  bool isLitAtFirstCorners_ = false;
 
   vtkSmartPointer<vtkUnsignedCharArray> colors_;
   int colorCellFlag_ = 0;

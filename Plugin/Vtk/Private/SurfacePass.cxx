@@ -71,7 +71,8 @@ struct Drawables
 {
   std::vector<Instance> instances;
   std::vector<vtkActor*> actors; ///< of the instances
-  FrameTextures textures;        ///< likewise
+  FrameNormals normals;
+  FrameTextures textures;
 };
 
 Drawables describeAll(const std::vector<Surface>& surfaces)
@@ -82,7 +83,8 @@ Drawables describeAll(const std::vector<Surface>& surfaces)
   for (const Surface& surface : surfaces)
   {
     // In place: half a kilobyte each.
-    if (describe(surface, drawables.instances.emplace_back(), &drawables.textures))
+    if (describe(
+          surface, drawables.instances.emplace_back(), drawables.normals, &drawables.textures))
     {
       drawables.actors.push_back(surface.actor);
     }
