@@ -71,6 +71,8 @@ struct Light {
   int samples = 16;   ///< rectangle and sphere: lights that share the colour, > 0
 };
 
+class SurfaceShader;  // Rendering/SurfaceShader.h
+
 /// How often a light equation is evaluated.
 enum class ShadingFrequency : std::uint8_t {
   kFlat,     ///< once per face, at Attributes::facePoints with the face normal
@@ -146,6 +148,8 @@ struct Style {
   /// Pixels with |n.v| below this get outlineColor (figure 12.15); 0 draws no outline.
   float outlineThreshold = 0;
   Vec3f outlineColor = {0, 0, 0};
+  /// Gives colours in the place of the light equation, pixel by pixel; may call it. Not owned.
+  const SurfaceShader* surfaceShader = nullptr;
 };
 
 /// Values on a mesh. Sizes: one per vertex or one per cell of the MeshView, or empty.

@@ -221,7 +221,7 @@ void cornerWeights(const ScreenTriangle& piece, Point p, float (&weight)[3])
 SurfacePoint surfacePoint(const ScreenTriangle& piece, std::uint32_t triangle, bool mirrored,
                           Point p)
 {
-  SurfacePoint point = {triangle, {}, {}, {}, piece.clockwise != mirrored};
+  SurfacePoint point = {triangle, {}, {}, {}, piece.clockwise != mirrored, 0, 0};
   cornerWeights(piece, p, point.weight);
   cornerWeights(piece, {p.x + kSubpixels, p.y}, point.rightWeight);
   cornerWeights(piece, {p.x, p.y + kSubpixels}, point.aboveWeight);
@@ -357,7 +357,9 @@ class Picture {
     auto piece = std::find_if(pieces.begin(), pieces.end(),
                               [&](const ScreenTriangle& t) { return t.covers(p); });
     if (piece == pieces.end()) piece = pieces.begin();
-    const SurfacePoint point = surfacePoint(*piece, owner.triangle, placed.transform().mirrored, p);
+    SurfacePoint point = surfacePoint(*piece, owner.triangle, placed.transform().mirrored, p);
+    point.pixelX = x;
+    point.pixelY = y;
     return shade(scene_, placed.instance(), placed.transform(), placed.origin(), lights_, point);
   }
 

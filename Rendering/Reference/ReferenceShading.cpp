@@ -5,6 +5,7 @@
 #include "Rendering/Base/Power.h"
 #include "Rendering/Reference/ReferenceTextures.h"
 #include "Rendering/Texture/SampleTexture.h"
+#include "Rendering/SurfaceShader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -379,6 +380,19 @@ class Face {
                      transform_,
                      {mix(point_, corner(0).high, corner(1).high, corner(2).high), {0, 0, 0}});
   }
+  Vec3f modelPosition() const
+  {
+    const Vec3f local = mix(point_, corner(0).high, corner(1).high, corner(2).high);
+    return origin_ == Vec3d{0, 0, 0} ? local : vec3Cast<float>(origin_ + vec3Cast<double>(local));
+  }
+  /// Of the first set.
+  Vec2f uv() const
+  {
+    const Span<const Vec2f> uv = instance_.attributes.uv;
+    return mix(point_.weight, uv[triangle_.vertex[0]], uv[triangle_.vertex[1]],
+               uv[triangle_.vertex[2]]);
+  }
+  std::uint32_t cell() const { return cell_; }
   Vec3f facePosition() const
   {
     return viewPosition(transform_, toLocal(instance_.attributes.facePoints[cell_], origin_));
@@ -488,7 +502,8 @@ Vec3f finish(const Face& face, const Instance& instance, Vec3f diffuse, Vec3f co
     if (layer.join != TextureJoin::kNone || !face.shows(layer)) continue;
     const bool isShaded =
         layer.role == TextureRole::kShaded ||
-        (layer.role == TextureRole::kSurface && style.frequency == ShadingFrequency::kGouraud);
+        (layer.role == TextureRole::kSurface && style.frequency == ShadingFrequency::kGouraud &&
+         style.surfaceShader == nullptr);
     if (isShaded) {
       color = combine(layer.mode, color, face.sampleJoined(layer), 1.0f);
     } else if (layer.role == TextureRole::kLight && isLit) {
@@ -497,6 +512,62 @@ Vec3f finish(const Face& face, const Instance& instance, Vec3f diffuse, Vec3f co
     }
   }
   return color;
+}
+
+class PointLighting final : public SurfaceLighting {
+ public:
+  PointLighting(const Scene& of, const Instance& on, const std::vector<ViewLight>& by)
+      : SurfaceLighting(of, on, by), lights_(by)
+  {
+  }
+
+  void light(const SurfaceFragments& fragments, FragmentVectors& colors) const override
+  {
+    for (int i = 0; i < fragments.count; ++i)
+      colors.set(i, lightSurface(scene, instance, lights_,
+                                 {fragments.position[i], fragments.normal[i], fragments.ambient[i],
+                                  fragments.diffuse[i], fragments.specular[i],
+                                  instance.material.specularPower}));
+  }
+  void arrive(std::size_t number, const SurfaceFragments& fragments, FragmentVectors& towards,
+              float* falls) const override
+  {
+    for (int i = 0; i < fragments.count; ++i) {
+      const Arrival at = reference::arrive(lights_[number], fragments.position[i], instance.style.fallOff);
+      towards.set(i, at.toward);
+      falls[i] = at.fall;
+    }
+  }
+
+ private:
+  const std::vector<ViewLight>& lights_;
+};
+
+/// The one vector of a fragment alone.
+FragmentVectors lone(Vec3f value)
+{
+  FragmentVectors vectors = {};
+  vectors.set(0, value);
+  return vectors;
+}
+
+Vec3f runSurfaceShader(const Face& face, const SurfacePoint& point, const Surface& s,
+                       const PointLighting& lighting)
+{
+  const FragmentVectors position = lone(s.position), model = lone(face.modelPosition()),
+                        normal = lone(s.normal), ambient = lone(s.ambient),
+                        diffuse = lone(s.diffuse), specular = lone(s.specular);
+  const std::int32_t x = point.pixelX, y = point.pixelY;
+  const std::uint32_t cell = face.cell();
+  const bool hasUv = !lighting.instance.attributes.uv.empty();
+  const Vec2f uv = hasUv ? face.uv() : Vec2f{0, 0};
+  const SurfaceFragments fragments = {1,       position, model,
+                                      normal,  ambient,  diffuse,
+                                      specular, hasUv ? &uv.x : nullptr,
+                                      hasUv ? &uv.y : nullptr, &x, &y, &cell};
+  FragmentVectors colors;
+  lighting.instance.style.surfaceShader->shade(fragments, lighting, colors);
+  return colors[0];
 }
 
 }  // namespace
@@ -515,6 +586,13 @@ Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransfor
     if (std::fabs(dot(n, v)) < style.outlineThreshold) return style.outlineColor;
   }
   const Vec3f dataColor = colored ? face.pixelColor() : Vec3f{};
+  if (style.surfaceShader != nullptr) {
+    Surface surface = face.bareSurface(
+        face.pixelPosition(), flat ? face.faceNormal() : face.bentNormal(), dataColor);
+    face.dress(surface);
+    const Vec3f color = runSurfaceShader(face, point, surface, {scene, instance, lights});
+    return finish(face, instance, surface.diffuse, color);
+  }
   if (style.frequency == ShadingFrequency::kGouraud) {
     Vec3f color[3];
     for (int i = 0; i < 3; ++i)

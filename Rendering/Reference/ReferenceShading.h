@@ -16,6 +16,7 @@ struct SurfacePoint {
   float weight[3];
   float rightWeight[3], aboveWeight[3];  ///< a pixel to the right, and above, in its plane
   bool backFacing;                       ///< seen from the inside; normals are turned to the eye
+  int pixelX, pixelY;
 };
 
 /// The colour of a visible point by the instance's style, before clamping and rounding.

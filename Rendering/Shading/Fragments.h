@@ -5,6 +5,7 @@
 #include "Rendering/Base/Array.h"
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Shading/FragmentList.h"
+#include "Rendering/SurfaceShader.h"
 
 #include <cstdint>
 #include <vector>
@@ -14,17 +15,8 @@ namespace limn {
 /// Up to kCapacity fragments of one instance as arrays, ready to be shaded: which mixture of its
 /// corners a fragment is, and what the corners carry. Vectors may read up to kCapacity.
 struct alignas(64) FragmentBatch {
-  static constexpr int kCapacity = 64;
-  struct Vectors {
-    float x[kCapacity], y[kCapacity], z[kCapacity];
-
-    void set(int i, Vec3f v)
-    {
-      x[i] = v.x;
-      y[i] = v.y;
-      z[i] = v.z;
-    }
-  };
+  static constexpr int kCapacity = FragmentVectors::kCapacity;
+  using Vectors = FragmentVectors;
 
   struct Pairs {
     float x[kCapacity], y[kCapacity];
@@ -87,6 +79,7 @@ struct UvUse {
       if (layer.readsUv()) set[layer.uvSet] = true;
       footprint = footprint || layer.readsFootprint();
     }
+    if (instance.style.surfaceShader != nullptr && !instance.attributes.uv.empty()) set[0] = true;
   }
   bool any() const { return set[0] || set[1]; }
 };

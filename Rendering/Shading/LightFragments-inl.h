@@ -108,8 +108,10 @@ class FragmentLanes {
   Lanes3 pixelPosition() const
   {
     return transform_.hasLowParts ? mix(cornerPosition(0), cornerPosition(1), cornerPosition(2))
-                                  : viewPosition(mix(corner(0), corner(1), corner(2)));
+                                  : viewPosition(localPosition());
   }
+  /// High parts alone.
+  Lanes3 localPosition() const { return mix(corner(0), corner(1), corner(2)); }
   HWY_INLINE Lanes3 pixelNormal() const
   {
     return instance_.style.normals == NormalSource::kVertex
@@ -127,6 +129,15 @@ class FragmentLanes {
     for (const TextureLayer& layer : instance_.layers)
       if (layer.bendsNormals()) n = whereShown(layer, bent(layer, n), n);
     return n;
+  }
+  /// Of the first set, as the mesh has them.
+  Lanes2 pixelUv() const
+  {
+    const auto corner = [&](int k) HWY_ATTR {
+      const FragmentBatch::Pairs& uv = batch_.cornerUv[0][k];
+      return mul(Lanes2{lanes_.value(uv.x), lanes_.value(uv.y)}, weight(k));
+    };
+    return add(add(corner(0), corner(1)), corner(2));
   }
   Lanes3 facePosition() const { return value(batch_.facePosition); }
   Lanes3 faceNormal() const { return facing(value(batch_.faceNormal)); }
@@ -333,10 +344,28 @@ class Shader {
   HWY_INLINE Lanes3 colorAt(const CornerWeights& weights)
   {
     lanes_.setWeights(weights);
-    const Lanes3 color = layers_.empty() ? shade() : shadeTextured();
-    return style_.outlineThreshold > 0.0f ? choose(onOutline(), set(style_.outlineColor), color)
-                                          : color;
+    return outlined(layers_.empty() ? shade() : shadeTextured());
   }
+
+  /// For surface shaders: what is lit at each fragment, whatever the frequency.
+  Surface surfaceAt(const CornerWeights& weights)
+  {
+    lanes_.setWeights(weights);
+    const Lanes3 data = lanes_.colored() ? lanes_.pixelColor() : none();
+    Surface surface = lanes_.surface(
+        lanes_.pixelPosition(),
+        style_.frequency == ShadingFrequency::kFlat ? lanes_.faceNormal() : lanes_.bentNormal(),
+        lanes_.colored() ? &data : nullptr);
+    lanes_.dress(surface);
+    return surface;
+  }
+  /// And what becomes of the shader's colour there.
+  Lanes3 finishAt(const CornerWeights& weights, Lanes3 diffuse, Lanes3 color)
+  {
+    lanes_.setWeights(weights);
+    return outlined(finish(diffuse, color));
+  }
+  const FragmentLanes<Lanes>& lanes() const { return lanes_; }
 
  private:
   static HWY_INLINE Lanes3 none() { return set(Vec3f{0, 0, 0}); }
@@ -376,7 +405,8 @@ class Shader {
       if (layer.join != TextureJoin::kNone) continue;
       const bool isShaded =
           layer.role == TextureRole::kShaded ||
-          (layer.role == TextureRole::kSurface && style_.frequency == ShadingFrequency::kGouraud);
+          (layer.role == TextureRole::kSurface && style_.frequency == ShadingFrequency::kGouraud &&
+           style_.surfaceShader == nullptr);
       if (isShaded) {
         const Lanes4 t = lanes_.sampleJoined(layer);
         color = lanes_.whereShown(layer, combine(layer.mode, color, t, 1.0f), color);
@@ -387,6 +417,11 @@ class Shader {
       }
     }
     return color;
+  }
+  HWY_INLINE Lanes3 outlined(Lanes3 color) const
+  {
+    return style_.outlineThreshold > 0.0f ? choose(onOutline(), set(style_.outlineColor), color)
+                                          : color;
   }
   /// Pixels with |n.v| below the threshold, figure 12.15.
   M onOutline() const
@@ -405,6 +440,17 @@ class Shader {
   Lanes3 lit_[3] = {none(), none(), none()};
 };
 
+CornerWeights weightsOf(const FragmentBatch& batch, std::size_t i)
+{
+  CornerWeights weights;
+  for (int k = 0; k < 3; ++k) {
+    weights.here[k] = batch.weight[k] + i;
+    weights.right[k] = batch.rightWeight[k] + i;
+    weights.above[k] = batch.aboveWeight[k] + i;
+  }
+  return weights;
+}
+
 void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
 {
   const auto count = static_cast<std::size_t>(batch.count);
@@ -412,13 +458,7 @@ void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
   for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
     Shader<BatchLanes> shader(lighting, context, batch, BatchLanes(i));
     if (shader.needsCorners()) shader.lightCorners();
-    CornerWeights weights;
-    for (int k = 0; k < 3; ++k) {
-      weights.here[k] = batch.weight[k] + i;
-      weights.right[k] = batch.rightWeight[k] + i;
-      weights.above[k] = batch.aboveWeight[k] + i;
-    }
-    store(shader.colorAt(weights), batch.color, i);
+    store(shader.colorAt(weightsOf(batch, i)), batch.color, i);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "Rendering/Shading/Fragments.h"
 
 #include "Rendering/Base/Power.h"
+#include "Rendering/Shading/RunSurfaceShader.h"
 
 #include <algorithm>
 #include <cstring>
@@ -11,7 +12,10 @@
 #define HWY_TARGET_INCLUDE "Rendering/Shading/LightFragments.cpp"
 #include <hwy/foreach_target.h>
 
+// clang-format off: the second builds on the first
 #include "Rendering/Shading/LightFragments-inl.h"
+#include "Rendering/Shading/SurfaceShaders-inl.h"
+// clang-format on
 
 #if HWY_ONCE
 namespace limn {
@@ -20,6 +24,10 @@ HWY_EXPORT(lightFragmentsKernel);
 HWY_EXPORT(quantizeFragmentsKernel);
 HWY_EXPORT(boundRadianceKernel);
 HWY_EXPORT(shadeTrianglesKernel);
+HWY_EXPORT(describeSurfacesKernel);
+HWY_EXPORT(lightSurfacesKernel);
+HWY_EXPORT(arriveAtSurfacesKernel);
+HWY_EXPORT(outlineSurfacesKernel);
 
 void lightFragments(const ShadingContext& context, FragmentBatch& batch)
 {
@@ -41,6 +49,30 @@ void quantizeFragments(const FragmentBatch& batch, Rgba8* colors)
 void boundRadiance(FragmentBatch& batch)
 {
   HWY_DYNAMIC_DISPATCH(boundRadianceKernel)(batch);
+}
+
+void describeSurfaces(const ShadingContext& context, const FragmentBatch& batch,
+                      SurfaceArrays& surfaces)
+{
+  HWY_DYNAMIC_DISPATCH(describeSurfacesKernel)(context, batch, surfaces);
+}
+
+void lightSurfaces(const ShadingContext& context, const SurfaceFragments& fragments,
+                   FragmentVectors& colors)
+{
+  HWY_DYNAMIC_DISPATCH(lightSurfacesKernel)(context, fragments, colors);
+}
+
+void arriveAtSurfaces(const ShadingContext& context, std::size_t light,
+                      const SurfaceFragments& fragments, FragmentVectors& towards, float* falls)
+{
+  HWY_DYNAMIC_DISPATCH(arriveAtSurfacesKernel)(context, light, fragments, towards, falls);
+}
+
+void outlineSurfaces(const ShadingContext& context, const SurfaceFragments& fragments,
+                     FragmentVectors& colors)
+{
+  HWY_DYNAMIC_DISPATCH(outlineSurfacesKernel)(context, fragments, colors);
 }
 
 }  // namespace limn

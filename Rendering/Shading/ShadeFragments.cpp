@@ -3,6 +3,7 @@
 #include "Rendering/Shading/Fragments.h"
 
 #include "Rendering/Raster/EdgeFunction.h"
+#include "Rendering/Shading/RunSurfaceShader.h"
 
 #include <algorithm>
 #include <array>
@@ -172,6 +173,11 @@ class BatchFiller {
   FragmentBatch& batch_;
 };
 
+bool isProgrammed(const PlacedInstance& placed)
+{
+  return placed.instance->style.surfaceShader != nullptr;
+}
+
 }  // namespace
 
 bool FragmentShader::orderByInstance(const TileClusters& clusters, Span<const std::uint32_t> owners)
@@ -282,6 +288,11 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   const Span<const std::uint32_t> triangles(fragments.triangleOwner.data(),
                                             fragments.triangleCount);
   forEachBatch(clusters, triangles, [&](const PlacedInstance& placed, auto numbers) {
+    if (isProgrammed(placed)) {
+      for (const std::uint32_t number : numbers)
+        fragments.breakRuns(number, samples);
+      return;
+    }
     for (std::size_t i = 0; i < numbers.size(); ++i)
       setPoint(i, fragments.run[fragments.firstRun[numbers[i]]].pixel, kPixelCentre);
     fillBatch(clusters, placed, pixels);
@@ -300,7 +311,10 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
                samples == 1 ? kPixelCentre : offsets[fragments.coverage[numbers[i]]]);
     fillBatch(clusters, placed, pixels);
     placeClippedFragments(clusters);
-    lightFragments({clusters.scene, &placed}, batch_);
+    if (isProgrammed(placed))
+      runSurfaceShader({clusters.scene, &placed}, clusters, pixels, batch_);
+    else
+      lightFragments({clusters.scene, &placed}, batch_);
     Rgba8 shaded[FragmentBatch::kCapacity];
     quantizeFragments(batch_, shaded);
     for (std::size_t i = 0; i < numbers.size(); ++i)

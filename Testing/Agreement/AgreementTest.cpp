@@ -131,6 +131,22 @@ TEST_P(EveryTarget, ReflectsLikeTheReference)
   }
 }
 
+TEST_P(EveryTarget, RunsShadersLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kShaders);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    ASSERT_EQ(drawn(random, {Backend::kPipeline, kThreads[seed % 4]}).differingPixels(expected), 0u)
+        << "seed " << seed;
+    const Picture plain = drawn(RandomScene(seed), {Backend::kPipeline, 2});
+    for (std::size_t i = 0; i < plain.color.size(); ++i)
+      changedPixels += plain.color[i].r != expected.color[i].r;
+  }
+  EXPECT_GT(changedPixels, 500000u) << "the shaders must show";
+}
+
 TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)
 {
   std::size_t occluded = 0;

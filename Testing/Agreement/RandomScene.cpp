@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Agreement/RandomScene.h"
 
+#include "Rendering/Mesh/MoveVertices.h"
+#include "Testing/Agreement/RandomShaders.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -204,9 +207,10 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   // VTK's default, which has a path of its own.
   if (random.chance(4)) lights_ = {Light{}};
   placeCamera(random);
-  if (detail == Detail::kReflections) addReflections();
-  if (detail == Detail::kTextures) addTextures();
   if (detail == Detail::kLights) addLights();
+  const bool isShaded = detail == Detail::kShaders;
+  if (detail == Detail::kReflections || isShaded) addReflections();
+  if (detail == Detail::kTextures || isShaded) addTextures();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -214,6 +218,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   scene_.resolve = random.chance(4) ? Resolve::kLinear : Resolve::kGamma22;
   background_ = random.chance(2) ? Background::kBlend : Background::kKeepApart;
   if (detail == Detail::kPost) addEffects(Random(seed ^ 0xB100Du));
+  if (isShaded) addShaders(Random(seed ^ 0x54ADEu));
 }
 
 Picture RandomScene::canvas() const
@@ -234,7 +239,7 @@ void RandomScene::addMesh(Random& random, Detail detail)
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
   std::vector<Vec3d> points =
       detail == Detail::kFine ? makeBumpySphere(random, *mesh)
-      : detail == Detail::kCoarse || (detail == Detail::kTextures && seed_ % 2 == 0)
+      : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders) && seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
@@ -550,6 +555,34 @@ void RandomScene::addEffects(Random random)
   fxaa.subpixelBlendLimit = number(0, 1);
   fxaa.subpixelContrastThreshold = random.chance(8) ? 1.0f : number(0, 1);
   fxaa.endpointSearchIterations = static_cast<int>(random.below(30));
+}
+
+void RandomScene::addShaders(Random random)
+{
+  for (const auto& mesh : meshes_) {
+    if (random.chance(3)) continue;
+    const RandomVertexShader shader(random, centre_);
+    MovedVertices moved;
+    moveVertices(shader, mesh->view(), mesh->vertexNormals, 2, moved);
+    mesh->positions = moved.positions;
+    mesh->precise = moved.precisePositions;
+    // In place: instances borrow them.
+    if (shader.movesNormals())
+      std::copy(moved.normals.begin(), moved.normals.end(), mesh->vertexNormals.begin());
+    if (!refitClusters(mesh->view(), 2, mesh->clusters) &&
+        !buildClusters(mesh->view(), 2, mesh->clusters).ok())
+      std::abort();
+    const FaceGeometry faces = faceGeometry(mesh->view(), mesh->cells, mesh->cellCount);
+    std::copy(faces.centroid.begin(), faces.centroid.end(), mesh->faces.centroid.begin());
+    std::copy(faces.normal.begin(), faces.normal.end(), mesh->faces.normal.begin());
+  }
+  for (Instance& instance : instances_) {
+    for (const auto& mesh : meshes_)
+      if (instance.clusters == &mesh->clusters) instance.mesh = mesh->view();
+    if (random.chance(5)) continue;
+    shaders_.push_back(std::make_unique<RandomSurfaceShader>(random));
+    instance.style.surfaceShader = shaders_.back().get();
+  }
 }
 
 }  // namespace limn::testing

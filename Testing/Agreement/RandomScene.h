@@ -6,6 +6,7 @@
 #include "Rendering/Mesh/FaceGeometry.h"
 #include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Renderer.h"
+#include "Rendering/SurfaceShader.h"
 
 #include <array>
 #include <cstdint>
@@ -84,6 +85,7 @@ class RandomScene {
     kReflections,  ///< as kAny, with every reflection model and its values
     kTextures,     ///< as kAny or kCoarse, with textures of all kinds
     kLights,       ///< as kAny, with area lights, normals of corners, faces lit at a corner
+    kShaders,      ///< as kTextures, with surface shaders and vertex shaders
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -110,6 +112,7 @@ class RandomScene {
   Light randomLight(Random& random);
   void placeCamera(Random& random);
   void addEffects(Random random);
+  void addShaders(Random random);
 
   std::uint32_t seed_;
   int width_, height_;
@@ -119,6 +122,7 @@ class RandomScene {
   std::vector<ProceduralTexture> procedurals_;
   std::vector<std::vector<TextureLayer>> layers_;  ///< by instance
   std::vector<Instance> instances_;
+  std::vector<std::unique_ptr<SurfaceShader>> shaders_;
   std::vector<Light> lights_;
   Scene scene_;
   Background background_;
