@@ -40,7 +40,7 @@ class Checker:
         self.headers = read("Plugin/Vtk/*.h") + read("Rendering/**/*.h")
         self.tests = read("Testing/**/*.cpp") + read("Testing/**/*.cxx") + read("Testing/**/*.py")
         self.testLists = read("Testing/**/CMakeLists.txt")
-        self.pictures = re.findall(r"^([a-z0-9_]+): ", pathlib.Path("Testing/Image/pictures.txt").read_text(), re.M)
+        self.pictures = re.findall(r"^([a-z0-9_]+)[:!] ", pathlib.Path("Testing/Image/pictures.txt").read_text(), re.M)
 
     def options(self, cell):
         for option in re.findall(r"--[a-z][a-z-]*", cell):

@@ -4,9 +4,13 @@
 
 #include "Private/BackendMapper.h"
 #include "Private/DrawSurfaces.h"
+#include "Private/EngineState.h"
 #include "Private/MapperInternals.h"
 
+#include "vtkLimnVertexShader.h"
+
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
@@ -21,12 +25,33 @@ constexpr double NominalTimeToDraw = 1e-4;
 }
 
 vtkStandardNewMacro(vtkLimnPolyDataMapper);
+vtkCxxSetObjectMacro(vtkLimnPolyDataMapper, VertexShader, vtkLimnVertexShader);
 
 //------------------------------------------------------------------------------
 vtkLimnPolyDataMapper::vtkLimnPolyDataMapper() : Internals(new vtkInternals) {}
 
 //------------------------------------------------------------------------------
-vtkLimnPolyDataMapper::~vtkLimnPolyDataMapper() = default;
+vtkLimnPolyDataMapper::~vtkLimnPolyDataMapper()
+{
+  this->SetVertexShader(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkLimnPolyDataMapper::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->VertexShader ? std::max(time, this->VertexShader->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnPolyDataMapper::ShallowCopy(vtkAbstractMapper* mapper)
+{
+  this->Superclass::ShallowCopy(mapper);
+  if (vtkLimnPolyDataMapper* const other = vtkLimnPolyDataMapper::SafeDownCast(mapper))
+  {
+    this->SetVertexShader(other->VertexShader);
+  }
+}
 
 //------------------------------------------------------------------------------
 void vtkLimnPolyDataMapper::Render(vtkRenderer* renderer, vtkActor* actor)
@@ -105,8 +130,13 @@ double* vtkLimnPolyDataMapper::GetBounds()
 void vtkLimnPolyDataMapper::ComputeBounds()
 {
   limn::bridge::InputBounds& bounds = this->Internals->InputBounds;
+  limn::bridge::MovedPoints& moved = this->Internals->Moved;
   vtkPolyData* const data = limn::bridge::inputOf(this);
-  if (!bounds.update(data))
+  if (data && data->GetPoints())
+  {
+    moved.update(this->VertexShader, data, limn::bridge::EngineState::instance().options.threads);
+  }
+  if (!bounds.update(data, moved))
   {
     // Without an input VTK has reset them.
     std::copy(bounds.values().begin(), bounds.values().end(), this->Bounds);
@@ -125,5 +155,15 @@ void vtkLimnPolyDataMapper::ComputeBounds()
 void vtkLimnPolyDataMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "VertexShader: ";
+  if (this->VertexShader)
+  {
+    os << "\n";
+    this->VertexShader->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << "(none)\n";
+  }
   os << indent << "NumberOfGeometryBuilds: " << this->GetNumberOfGeometryBuilds() << "\n";
 }

@@ -15,7 +15,7 @@
  * once what is missing.
  *
  * @sa
- * vtkLimnActor vtkLimnProperty vtkLimnRenderWindow vtkLimnEngine
+ * vtkLimnActor vtkLimnProperty vtkLimnRenderWindow vtkLimnEngine vtkLimnVertexShader
  */
 
 #ifndef vtkLimnPolyDataMapper_h
@@ -25,6 +25,8 @@
 #include "vtkPolyDataMapper.h"
 
 #include <memory> // for std::unique_ptr
+
+class vtkLimnVertexShader;
 
 class VTKLIMN_EXPORT vtkLimnPolyDataMapper : public vtkPolyDataMapper
 {
@@ -39,8 +41,29 @@ public:
   bool GetSupportsSelection() override { return true; }
   bool HasTranslucentPolygonalGeometry() override;
 
+  ///@{
+  /**
+   * A program that moves the points of the input before they are drawn; none by default.
+   */
+  virtual void SetVertexShader(vtkLimnVertexShader*);
+  vtkGetObjectMacro(VertexShader, vtkLimnVertexShader);
+  ///@}
+
   using vtkPolyDataMapper::GetBounds;
+  /**
+   * Of the points where the vertex shader, if there is one, moves them.
+   */
   double* GetBounds() VTK_SIZEHINT(6) override;
+
+  /**
+   * With the vertex shader's.
+   */
+  vtkMTimeType GetMTime() override;
+
+  /**
+   * The vertex shader is shared.
+   */
+  void ShallowCopy(vtkAbstractMapper* mapper) override;
 
   /**
    * How often the geometry has been prepared since this mapper was made: a figure that stays the
@@ -70,6 +93,8 @@ protected:
    * numbers, are left out.
    */
   void ComputeBounds() override;
+
+  vtkLimnVertexShader* VertexShader = nullptr;
 
 private:
   vtkLimnPolyDataMapper(const vtkLimnPolyDataMapper&) = delete;

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLimnProperty.h"
 
+#include "vtkLimnSurfaceShader.h"
+
 #include "vtkObjectFactory.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <map>
 #include <string>
 
@@ -19,6 +22,7 @@ void PrintVector(ostream& os, const char* name, const double vector[3])
 vtkStandardNewMacro(vtkLimnProperty);
 vtkCxxSetObjectMacro(vtkLimnProperty, LightmapTexture, vtkTexture);
 vtkCxxSetObjectMacro(vtkLimnProperty, BumpTexture, vtkTexture);
+vtkCxxSetObjectMacro(vtkLimnProperty, SurfaceShader, vtkLimnSurfaceShader);
 
 //------------------------------------------------------------------------------
 vtkLimnProperty::~vtkLimnProperty()
@@ -26,6 +30,14 @@ vtkLimnProperty::~vtkLimnProperty()
   this->SetLightmapTexture(nullptr);
   this->SetLightmapTCoords(nullptr);
   this->SetBumpTexture(nullptr);
+  this->SetSurfaceShader(nullptr);
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkLimnProperty::GetMTime()
+{
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->SurfaceShader ? std::max(time, this->SurfaceShader->GetMTime()) : time;
 }
 
 //------------------------------------------------------------------------------
@@ -156,6 +168,7 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetLightmapTCoords(other->LightmapTCoords);
   this->SetBumpTexture(other->BumpTexture);
   this->SetBumpScale(other->BumpScale);
+  this->SetSurfaceShader(other->SurfaceShader);
 }
 
 //------------------------------------------------------------------------------
@@ -201,4 +214,14 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "BumpTexture: " << this->BumpTexture << "\n";
   os << indent << "BumpScale: " << this->BumpScale << "\n";
+  os << indent << "SurfaceShader: ";
+  if (this->SurfaceShader)
+  {
+    os << "\n";
+    this->SurfaceShader->PrintSelf(os, indent.GetNextIndent());
+  }
+  else
+  {
+    os << "(none)\n";
+  }
 }

@@ -14,7 +14,7 @@
  * towards the eye, h halfway between them, r along the reflected ray; all are unit vectors.
  *
  * @sa
- * vtkLimnActor vtkLimnPolyDataMapper
+ * vtkLimnActor vtkLimnPolyDataMapper vtkLimnSurfaceShader
  */
 
 #ifndef vtkLimnProperty_h
@@ -24,6 +24,7 @@
 #include "vtkProperty.h"
 
 class vtkTexture;
+class vtkLimnSurfaceShader;
 
 class VTKLIMN_EXPORT vtkLimnProperty : public vtkProperty
 {
@@ -389,8 +390,23 @@ public:
   vtkGetMacro(BumpScale, double);
   ///@}
 
+  ///@{
   /**
-   * Copies all settings, those of a vtkLimnProperty too if `property` is one.
+   * A program that gives each pixel its colour in place of ReflectionModel and Tone, which it may
+   * call; none by default.
+   */
+  virtual void SetSurfaceShader(vtkLimnSurfaceShader*);
+  vtkGetObjectMacro(SurfaceShader, vtkLimnSurfaceShader);
+  ///@}
+
+  /**
+   * With the surface shader's.
+   */
+  vtkMTimeType GetMTime() override;
+
+  /**
+   * Copies all settings, those of a vtkLimnProperty too if `property` is one; the surface shader is
+   * shared.
    */
   void DeepCopy(vtkProperty* property);
 
@@ -429,6 +445,7 @@ protected:
   char* LightmapTCoords = nullptr;
   vtkTexture* BumpTexture = nullptr;
   double BumpScale = 1.0;
+  vtkLimnSurfaceShader* SurfaceShader = nullptr;
 
 private:
   void CopyWithTextures(vtkProperty* property);

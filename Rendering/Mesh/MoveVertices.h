@@ -30,7 +30,7 @@ struct MovedVertices {
 /// Runs the shader over all vertices, on at most `threads` threads (0: all); the result does not
 /// depend on it. It stays good until the mesh or the shader changes. Clusters follow by
 /// refitClusters() or buildClusters(), which leaves out the triangles of lost vertices; normals, if
-/// none come out, by areaWeightedNormals().
+/// none come out, by vertexNormals().
 /// Requires: normals.size() is mesh.vertexCount() or 0.
 void moveVertices(const VertexShader& shader, const MeshView& mesh, Span<const Vec3f> normals,
                   int threads, MovedVertices& moved);

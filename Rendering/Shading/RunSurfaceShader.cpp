@@ -62,8 +62,8 @@ void runSurfaceShader(const ShadingContext& context, const TileClusters& cluster
   addOrigin(context.placed->mesh().origin, batch.count, surfaces.modelPosition);
   nameCells(clusters, batch, surfaces);
   namePixels(pixels, batch, surfaces);
-  const SurfaceFragments fragments = {batch.count,      surfaces.position, surfaces.modelPosition,
-                                      surfaces.normal,  surfaces.ambient,  surfaces.diffuse,
+  const SurfaceFragments fragments = {batch.count,       surfaces.position, surfaces.modelPosition,
+                                      surfaces.normal,   surfaces.ambient,  surfaces.diffuse,
                                       surfaces.specular, surfaces.pixelX,   surfaces.pixelY,
                                       surfaces.cell};
   const Style& style = context.placed->instance->style;

@@ -67,8 +67,8 @@ void outlineSurfacesKernel(const ShadingContext& context, const SurfaceFragments
   const auto count = static_cast<std::size_t>(fragments.count);
   for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
     const Lanes3 v = lighting.towardEye(load(fragments.position, i));
-    const M isOutline = hn::Lt(hn::Abs(dot(load(fragments.normal, i), v)),
-                               set(style.outlineThreshold));
+    const M isOutline =
+        hn::Lt(hn::Abs(dot(load(fragments.normal, i), v)), set(style.outlineThreshold));
     store(choose(isOutline, set(style.outlineColor), load(colors, i)), colors, i);
   }
 }

@@ -34,10 +34,11 @@ class RandomSurfaceShader final : public SurfaceShader {
       normal.set(i, normalized(n + Vec3f{dent_, -dent_, 0.0f} * stripe));
       diffuse.set(i, fragments.diffuse[i] * stripe + tint_ * (1.0f - stripe));
     }
-    const SurfaceFragments changed = {
-        fragments.count,   fragments.position, fragments.modelPosition, normal,
-        fragments.ambient, diffuse,            fragments.specular,      fragments.pixelX,
-        fragments.pixelY,  fragments.cell};
+    const SurfaceFragments changed = {fragments.count,         fragments.position,
+                                      fragments.modelPosition, normal,
+                                      fragments.ambient,       diffuse,
+                                      fragments.specular,      fragments.pixelX,
+                                      fragments.pixelY,        fragments.cell};
     lighting.light(changed, colors);
     addLights(fragments, lighting, colors);
     for (int i = 0; i < fragments.count; ++i)
@@ -63,8 +64,8 @@ class RandomSurfaceShader final : public SurfaceShader {
   {
     const auto bits = static_cast<std::uint32_t>(fragments.pixelX[i] * 3 + fragments.pixelY[i]) +
                       fragments.cell[i] * 5 + lighting.instance.id;
-    const Vec3f v = lighting.scene.camera.parallel ? Vec3f{0, 0, 1}
-                                                   : normalized(-fragments.position[i]);
+    const Vec3f v =
+        lighting.scene.camera.parallel ? Vec3f{0, 0, 1} : normalized(-fragments.position[i]);
     const float rim = power(1.0f - std::fabs(dot(v, fragments.normal[i])), 3.0f);
     const float number = static_cast<float>(bits % 7) * 0.02f;
     if (hasHoles_ && bits % 5 == 0) return {std::numeric_limits<float>::quiet_NaN(), -1e30f, rim};

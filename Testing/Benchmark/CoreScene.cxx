@@ -24,7 +24,7 @@ CoreScene::CoreScene(vtkRenderer* renderer, int samples) : Renderer(renderer), S
   {
     auto mesh = std::make_unique<SurfaceMesh>();
     const limn::Status status =
-      mesh->update(vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()),
+      mesh->update(vtkPolyData::SafeDownCast(actor->GetMapper()->GetInput()), this->Unmoved,
         needsOf(actor->GetProperty()), kAllThreads);
     if (!status.ok())
     {

@@ -24,6 +24,7 @@ public:
 private:
   vtkRenderer* Renderer;
   int Samples;
+  limn::bridge::MovedPoints Unmoved;
   std::vector<std::unique_ptr<limn::bridge::SurfaceMesh>> Meshes;
   std::vector<limn::Instance> Instances;
   std::vector<limn::Light> Lights;

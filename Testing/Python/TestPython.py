@@ -173,6 +173,18 @@ renderer.SetPostEffects(effects)""",
         dark, *_ = run("import limn\n" + scene, ["DISPLAY"], LIMN_WINDOW="cpu")
         self.assertNotEqual(dark, plain)
 
+    def test_shaders_are_for_cpp(self):
+        lines = run(
+            "import limn\n"
+            "for name in ('vtkLimnSurfaceShader', 'vtkLimnVertexShader'):\n"
+            "    try:\n"
+            "        getattr(limn, name)()\n"
+            "        print('made')\n"
+            "    except (TypeError, NotImplementedError) as error:\n"
+            "        print('refused')\n"
+            "print(limn.vtkLimnProperty().GetSurfaceShader(), limn.vtkLimnPolyDataMapper().GetVertexShader())")
+        self.assertEqual(lines, ["refused", "refused", "None None"])
+
     def test_names(self):
         (line,) = run("import limn\nprint(sorted(n for n in dir(limn) if n.startswith('vtkLimn')))")
         for name in ("Actor", "OpenGLCompositor", "PolyDataMapper", "PostEffects", "Property", "RenderWindow"):

@@ -47,8 +47,8 @@ class Lambert final : public SurfaceShader {
       }
     }
     for (int i = 0; i < fragments.count; ++i)
-      colors.set(i, fragments.ambient[i] * lighting.scene.ambientLight +
-                        sums[i] * fragments.diffuse[i]);
+      colors.set(
+          i, fragments.ambient[i] * lighting.scene.ambientLight + sums[i] * fragments.diffuse[i]);
   }
 };
 
@@ -129,8 +129,7 @@ TEST_P(SurfaceShaders, NormalsOfASphereAreThoseOfView)
     return Vec3d{0.5, 0.5, 0.5} +
            Vec3d{dot(hit.normal, right), dot(hit.normal, up), dot(hit.normal, back)} * 0.5;
   };
-  expectPicture(stage, drawnBy(stage, shader, GetParam()), hitSphere, normals,
-                kRounding + kFacets);
+  expectPicture(stage, drawnBy(stage, shader, GetParam()), hitSphere, normals, kRounding + kFacets);
 }
 
 TEST_P(SurfaceShaders, StripesOfDepthLieWhereTheEyesDistanceSays)
@@ -280,8 +279,9 @@ TEST_P(SurfaceShaders, FlatSurfacesShowTheFacesNormal)
 TEST_P(SurfaceShaders, NormalsAreTurnedToTheEye)
 {
   const OwnedMesh plane = sheet({-3, -3, 0}, {6, 0, 0}, {0, 6, 0});
-  const PointwiseShader shader(
-      [](const SurfaceFragments& fragments, int i) { return Vec3f{fragments.normal[i].z, 0, 0}; });
+  const PointwiseShader shader([](const SurfaceFragments& fragments, int i) {
+    return Vec3f{fragments.normal[i].z, 0, 0};
+  });
   for (const double side : {3.0, -3.0}) {
     Stage stage;
     stage.view.eye = {0, 0, side};
@@ -309,8 +309,7 @@ TEST_P(SurfaceShaders, ColorsAboveOneReachTheRadiance)
   const OwnedMesh plane = sheet({-3, -3, 0}, {6, 0, 0}, {0, 6, 0});
   Stage stage;
   stage.instances = {instanceOf(plane)};
-  const PointwiseShader shader(
-      [](const SurfaceFragments&, int) { return Vec3f{3.5f, 0.25f, -1}; });
+  const PointwiseShader shader([](const SurfaceFragments&, int) { return Vec3f{3.5f, 0.25f, -1}; });
   stage.instances[0].style.surfaceShader = &shader;
   Picture picture(stage.width, stage.height);
   picture.addRadiance();
@@ -327,8 +326,9 @@ TEST_P(SurfaceShaders, OutlinesAreDrawnOverThem)
   stage.instances = {instanceOf(fineSphere())};
   stage.instances[0].style.outlineThreshold = 0.5f;
   stage.instances[0].style.outlineColor = {1, 0, 0};
-  const PointwiseShader shader(
-      [](const SurfaceFragments&, int) { return Vec3f{0.2f, 0.4f, 0.6f}; });
+  const PointwiseShader shader([](const SurfaceFragments&, int) {
+    return Vec3f{0.2f, 0.4f, 0.6f};
+  });
   const auto paint = [](const Hit& hit) -> std::optional<Vec3d> {
     const double nv = dot(hit.normal, hit.towardEye);
     if (std::fabs(nv - 0.5) < 0.01) return std::nullopt;

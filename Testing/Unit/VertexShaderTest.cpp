@@ -25,9 +25,8 @@ class PointwiseShader final : public VertexShader {
   void move(VertexBatch& vertices) const override
   {
     for (int i = 0; i < vertices.count; ++i) {
-      const Vec3d p =
-          move_(vertices.first + static_cast<std::uint32_t>(i),
-                Vec3d{vertices.x[i], vertices.y[i], vertices.z[i]});
+      const Vec3d p = move_(vertices.first + static_cast<std::uint32_t>(i),
+                            Vec3d{vertices.x[i], vertices.y[i], vertices.z[i]});
       vertices.x[i] = p.x;
       vertices.y[i] = p.y;
       vertices.z[i] = p.z;

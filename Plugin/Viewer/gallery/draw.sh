@@ -69,8 +69,14 @@ draw_in_gl_window() { # the same in an OpenGL window
 program() { # NAME CAPTION COMMAND...: a picture by a program of this folder, which NAME names
   local name=$1 caption=$2
   shift 2
+  run_program "$name" "$caption" "$@" "$programs/$name"
+}
+
+run_program() { # NAME CAPTION COMMAND...: likewise, with the program in the command
+  local name=$1 caption=$2
+  shift 2
   rm -f "$out/$name.png"
-  "$@" "$programs/$name" "$out/$name.png"
+  "$@" "$out/$name.png"
   sed -e '1,/^$/d' "$here/$name.cxx" | show "$name" "$caption" code
 }
 
@@ -109,6 +115,12 @@ draw reflection_blinn_phong "Blinn-Phong" "$meshes/torus.off" --reflection=blinn
   --specular=0.7,0.7,0.7 --specular-power=40 "$lamp" "$dim"
 draw reflection_phong "Phong's reflected ray" "$meshes/torus.off" --reflection=phong \
   --specular=0.7,0.7,0.7 --specular-power=40 "$lamp" "$dim"
+
+section "Shaders" "Programs for the colour of visible points and for the place of vertices."
+run_program height_contours "A surface shader: contours of height" \
+  env -u DISPLAY "$programs/height_contours" "$teapot"
+run_program rippled_mesh "A vertex shader: a wave that runs up" \
+  env -u DISPLAY "$programs/rippled_mesh" "$teapot"
 
 section "Colour by data" "An array of the mesh through a map."
 draw waves "viridis" "$meshes/waves.vtp" --coloring-array=height

@@ -3,6 +3,7 @@
 #include "InputBounds.h"
 
 #include "EngineState.h"
+#include "MovedPoints.h"
 
 #include "Rendering/Base/Executor.h"
 
@@ -111,8 +112,9 @@ bool allCoordinatesAreFinite(vtkPolyData* data)
   return std::all_of(values.begin(), values.end(), isFinite);
 }
 
-std::array<double, 6> boundsOfGoodPoints(vtkPolyData* data)
+std::array<double, 6> boundsOfGoodPoints(vtkPolyData* data, const MovedPoints& moved)
 {
+  const MeshView movedView = moved.areMoved() ? moved.view({}) : MeshView{};
   std::array<double, 6> bounds = { 1, -1, 1, -1, 1, -1 };
   const vtkIdType points = data->GetNumberOfPoints();
   forEachPointId(data,
@@ -121,7 +123,17 @@ std::array<double, 6> boundsOfGoodPoints(vtkPolyData* data)
       double p[3] = { NAN, NAN, NAN };
       if (id >= 0 && id < points)
       {
-        data->GetPoint(id, p);
+        if (moved.areMoved())
+        {
+          const Vec3d position = movedView.position(static_cast<std::size_t>(id));
+          p[0] = position.x;
+          p[1] = position.y;
+          p[2] = position.z;
+        }
+        else
+        {
+          data->GetPoint(id, p);
+        }
       }
       if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
       {
@@ -139,7 +151,7 @@ std::array<double, 6> boundsOfGoodPoints(vtkPolyData* data)
 
 } // namespace
 
-bool InputBounds::update(vtkPolyData* data)
+bool InputBounds::update(vtkPolyData* data, const MovedPoints& moved)
 {
   if (!data || !data->GetPoints())
   {
@@ -147,14 +159,15 @@ bool InputBounds::update(vtkPolyData* data)
     return true;
   }
   const vtkMTimeType time = meshTime(data);
-  if (data == data_ && time == time_)
+  if (data == data_ && time == time_ && moved.version() == moved_)
   {
     return false;
   }
   data_ = data;
   time_ = time;
-  areSafe_ = allPointsExist(data) && allCoordinatesAreFinite(data);
-  bounds_ = areSafe_ ? std::array<double, 6>{} : boundsOfGoodPoints(data);
+  moved_ = moved.version();
+  areSafe_ = !moved.areMoved() && allPointsExist(data) && allCoordinatesAreFinite(data);
+  bounds_ = areSafe_ ? std::array<double, 6>{} : boundsOfGoodPoints(data, moved);
   return true;
 }
 

@@ -12,14 +12,21 @@ class vtkPolyData;
 
 namespace limn::bridge
 {
+class MovedPoints;
+}
+
+namespace limn::bridge
+{
 
 /// The box of what a vtkPolyData shows. vtkPolyData::GetCellsBounds() reads beyond the points where
-/// a cell names one that does not exist, and takes over coordinates that are not finite numbers.
+/// a cell names one that does not exist, takes over coordinates that are not finite numbers, and
+/// knows nothing of points that are moved.
 class InputBounds
 {
 public:
-  /// False if the bounds are those of the last call: `data` has not changed since.
-  bool update(vtkPolyData* data);
+  /// Of `data` where its points are `moved` to. False if the bounds are those of the last call:
+  /// neither has changed since.
+  bool update(vtkPolyData* data, const MovedPoints& moved);
 
   /// True if VTK can be left to compute the bounds.
   bool areSafe() const { return areSafe_; }
@@ -34,6 +41,7 @@ public:
 private:
   const void* data_ = nullptr;
   vtkMTimeType time_ = 0;
+  vtkMTimeType moved_ = 0;
   bool areSafe_ = true;
   std::array<double, 6> bounds_ = { 1, -1, 1, -1, 1, -1 };
 };

@@ -5,6 +5,7 @@
 
 #include "InputBounds.h"
 #include "KnownInput.h"
+#include "MovedPoints.h"
 #include "SurfaceMesh.h"
 #include "SurfaceTextures.h"
 
@@ -13,6 +14,7 @@
 class vtkLimnPolyDataMapper::vtkInternals
 {
 public:
+  limn::bridge::MovedPoints Moved;
   limn::bridge::SurfaceMesh Mesh;
   limn::bridge::InputBounds InputBounds;
   limn::bridge::KnownInput Input;

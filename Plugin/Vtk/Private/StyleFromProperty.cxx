@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StyleFromProperty.h"
 
+#include "SurfaceShaderInternals.h"
+
 #include "vtkLimnProperty.h"
 
 #include <array>
@@ -139,6 +141,10 @@ void setIllustration(vtkLimnProperty* property, Style& style)
   {
     style.outlineThreshold = static_cast<float>(property->GetOutlineThreshold());
     style.outlineColor = toVec3f(property->GetOutlineColor());
+  }
+  if (const vtkLimnSurfaceShader* const shader = property->GetSurfaceShader())
+  {
+    style.surfaceShader = &shader->GetInternals();
   }
 }
 

@@ -196,10 +196,12 @@ bool describe(
     vtkErrorWithObjectMacro(surface.actor, "Not drawn: " << unusable);
     return false;
   }
+  MovedPoints& moved = surface.mapper->GetInternals().Moved;
+  moved.update(surface.mapper->GetVertexShader(), data, options.threads);
   SurfaceMesh& mesh = surface.mapper->GetInternals().Mesh;
   SurfaceNeeds needs = needsOf(property);
   needs.triangles = options.backend == Backend::kReference;
-  if (const Status status = mesh.update(data, needs, options.threads); !status.ok())
+  if (const Status status = mesh.update(data, moved, needs, options.threads); !status.ok())
   {
     vtkErrorWithObjectMacro(surface.mapper, << status.message);
     return false;

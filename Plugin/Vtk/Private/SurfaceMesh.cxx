@@ -63,7 +63,7 @@ bool SurfaceMesh::CellsVersion::operator==(const CellsVersion& other) const
 
 bool SurfaceMesh::PointsVersion::operator==(const PointsVersion& other) const
 {
-  return points == other.points && time == other.time;
+  return points == other.points && time == other.time && moved == other.moved;
 }
 
 // Cells edited in place have to be marked as modified themselves, as for VTK's own mapper.
@@ -74,19 +74,15 @@ SurfaceMesh::CellsVersion SurfaceMesh::cellsVersionOf(vtkPolyData* data)
     data->GetNumberOfCells() };
 }
 
-SurfaceMesh::PointsVersion SurfaceMesh::pointsVersionOf(vtkPolyData* data)
+SurfaceMesh::PointsVersion SurfaceMesh::pointsVersionOf(vtkPolyData* data) const
 {
-  vtkPoints* const points = data->GetPoints();
-  // Of the data set only its own time: with its attributes' times, which GetMTime() includes, other
-  // scalars would look like another geometry.
-  return { points->GetData(),
-    std::max({ data->vtkObject::GetMTime(), points->GetMTime(), points->GetData()->GetMTime() }) };
+  return { data->GetPoints()->GetData(), pointsTimeOf(data), moved_->version() };
 }
 
 Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
 {
   const CellsVersion cells = cellsVersionOf(data);
-  const PointsVersion points = pointsVersionOf(data);
+  const PointsVersion points = this->pointsVersionOf(data);
   const bool sameCells = cells == cellsVersion_ && buildStatus_.ok();
   if (sameCells && points == pointsVersion_)
   {
@@ -104,8 +100,10 @@ Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
            : this->rebuild(data, threads);
 }
 
-Status SurfaceMesh::update(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
+Status SurfaceMesh::update(
+  vtkPolyData* data, const MovedPoints& moved, const SurfaceNeeds& needs, int threads)
 {
+  moved_ = &moved;
   buildStatus_ = this->updateGeometry(data, threads);
   if (!buildStatus_.ok())
   {
@@ -147,8 +145,10 @@ Status SurfaceMesh::computeNormals(const NormalChoice& choice, int threads)
 
 Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
 {
+  // Points that were moved without their normals need new ones.
+  const bool readsNormals = needs.vertexNormals || (this->isMoved() && this->hasPointNormals());
   const bool computesNormals =
-    needs.vertexNormals && !(needs.normals.fromData && this->hasPointNormals());
+    readsNormals && (!needs.normals.fromData || this->givenNormals().empty());
   const bool lacksNormals = computesNormals && !this->isKept(needs.normals);
   const bool lacksFaces = needs.faceGeometry && faces_.centroid.empty();
   const bool lacksCorners = needs.firstCorners && firstCorners_.empty();
@@ -181,7 +181,7 @@ Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int thr
     firstCorners_ = limn::firstCorners(this->view(), surface_.cells, cellCount_);
   }
   isLitAtFirstCorners_ = needs.firstCorners;
-  if (!needs.triangles)
+  if (!needs.triangles && !this->isMoved())
   {
     // The pipeline reads clusters only, and of a large mesh these are hundreds of megabytes, which
     // an empty list of initializers would keep.
@@ -211,9 +211,23 @@ void SurfaceMesh::updateNormals(vtkPolyData* data)
 
 MeshView SurfaceMesh::view() const
 {
+  if (this->isMoved())
+  {
+    return moved_->view(surface_.triangles);
+  }
   MeshView mesh = points_.view();
   mesh.triangles = surface_.triangles;
   return mesh;
+}
+
+Span<const Vec3f> SurfaceMesh::givenNormals() const
+{
+  return this->isMoved() ? moved_->normals() : pointNormals_.span();
+}
+
+Span<const Vec3f> SurfaceMesh::cellNormals() const
+{
+  return this->isMoved() ? Span<const Vec3f>() : cellNormals_.span();
 }
 
 void SurfaceMesh::setColors(vtkUnsignedCharArray* colors, int cellFlag)
@@ -230,13 +244,13 @@ void SurfaceMesh::describe(Instance& instance) const
   instance.clusters = &clusters_;
   instance.mesh = this->view();
   Attributes& attributes = instance.attributes;
-  attributes.vertexNormals = pointNormals_.span();
+  attributes.vertexNormals = this->givenNormals();
   if (normals_)
   {
     attributes.vertexNormals = normals_->normals;
     attributes.normalOfCorner = normals_->ofCorner;
   }
-  attributes.cellNormals = cellNormals_.span();
+  attributes.cellNormals = this->cellNormals();
   if (colors_)
   {
     (colorCellFlag_ == 0 ? attributes.vertexColors : attributes.cellColors) = colorsOf(colors_);
@@ -250,6 +264,7 @@ void SurfaceMesh::describe(Instance& instance) const
 std::string SurfaceMesh::complaint() const
 {
   std::ostringstream text;
+  text << moved_->complaint();
   if (clusters_.notFiniteTriangles > 0)
   {
     text << " " << clusters_.notFiniteTriangles

@@ -3,6 +3,7 @@
 #ifndef SurfaceMesh_h
 #define SurfaceMesh_h
 
+#include "MovedPoints.h"
 #include "TrianglesFromPolyData.h"
 #include "VectorArray.h"
 
@@ -51,8 +52,10 @@ struct SurfaceNeeds
 class SurfaceMesh
 {
 public:
-  /// Brings all up to date with `data`. Errors: those of buildClusters().
-  Status update(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
+  /// Brings all up to date with `data`, its points where they are `moved` to, which is borrowed
+  /// until the next update(). Errors: those of buildClusters().
+  Status update(
+    vtkPolyData* data, const MovedPoints& moved, const SurfaceNeeds& needs, int threads);
 
   /// Colours of the points (`cellFlag` 0) or cells (1), kept by reference; nullptr for none.
   void setColors(vtkUnsignedCharArray* colors, int cellFlag);
@@ -66,7 +69,7 @@ public:
 
   bool isEmpty() const { return this->clusters_.triangleCount == 0; }
   bool hasPointNormals() const { return !this->pointNormals_.span().empty(); }
-  bool hasCellNormals() const { return !this->cellNormals_.span().empty(); }
+  bool hasCellNormals() const { return !this->cellNormals().empty(); }
   vtkIdType geometryBuilds() const { return this->geometryBuilds_; }
 
   /// What had to be left out of the last geometry built, in words; empty if nothing.
@@ -88,11 +91,12 @@ private:
   {
     const void* points = nullptr;
     vtkMTimeType time = 0;
+    vtkMTimeType moved = 0; ///< MovedPoints::version()
 
     bool operator==(const PointsVersion& other) const;
   };
   static CellsVersion cellsVersionOf(vtkPolyData* data);
-  static PointsVersion pointsVersionOf(vtkPolyData* data);
+  PointsVersion pointsVersionOf(vtkPolyData* data) const;
   Status updateGeometry(vtkPolyData* data, int threads);
   Status rebuild(vtkPolyData* data, int threads);
   Status supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
@@ -100,10 +104,15 @@ private:
   Status computeNormals(const NormalChoice& choice, int threads);
   void updateNormals(vtkPolyData* data);
   MeshView view() const;
+  bool isMoved() const { return moved_ && moved_->areMoved(); }
+  /// Without those that were made for want of others; what moved triangles have outgrown is none.
+  Span<const Vec3f> givenNormals() const;
+  Span<const Vec3f> cellNormals() const;
 
   CellsVersion cellsVersion_;
   PointsVersion pointsVersion_;
   PointArray points_;
+  const MovedPoints* moved_ = nullptr;
   SurfaceTriangles surface_;
   ClusteredMesh clusters_;
   Status buildStatus_;
