@@ -49,7 +49,7 @@ struct SurfaceFragments {
   /// k_a, k_d, k_s: the material's, with the data's colours where there are any, under the textures
   /// of TextureRole::kSurface.
   FragmentVectorsView ambient, diffuse, specular;
-  const float *u, *v;  ///< Attributes::uv; null if the mesh has none
+  const float *u, *v;                   ///< Attributes::uv; null if the mesh has none
   const std::int32_t *pixelX, *pixelY;  ///< from the frame's lower left corner
   const std::uint32_t* cell;            ///< of the mesh; see Attributes::cells
 };
@@ -84,8 +84,8 @@ class SurfaceLighting {
 
 /// A program for the colour of visible points, in place of the light equation: the fragment shader
 /// of a GPU's pipeline. Style::surfaceShader says which instances it serves. It runs once for each
-/// pixel and triangle seen in it, whatever the number of samples and Style::frequency. What textures
-/// do after the light equation they do to what it gives, and outlines are drawn over that.
+/// pixel and triangle seen in it, whatever the number of samples and Style::frequency. What
+/// textures do after the light equation they do to what it gives, and outlines are drawn over that.
 class SurfaceShader {
  public:
   virtual ~SurfaceShader() = default;
@@ -95,8 +95,8 @@ class SurfaceShader {
   ///
   /// Called by several threads at once. How fragments are put together is not defined, nor how
   /// often it is done: the colour of one shall depend on that fragment and on the shader's own
-  /// constants only. For the same bytes everywhere keep to + - * /, std::sqrt and Base/Power.h, and
-  /// compile with -ffp-contract=off.
+  /// constants only. It may not throw. For the same bytes everywhere keep to + - * /, std::sqrt and
+  /// Base/Power.h, and compile with -ffp-contract=off.
   virtual void shade(const SurfaceFragments& fragments, const SurfaceLighting& lighting,
                      FragmentVectors& colors) const = 0;
 };

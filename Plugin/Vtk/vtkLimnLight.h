@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkLimnLight
- * @brief   a vtkLight that may be a rectangle or a sphere, have a soft edge, or be given by its power
+ * @brief   a vtkLight that may be a rectangle or a sphere, have a soft edge, or be given by its
+ * power
  *
  * An ordinary vtkLight until one of its own settings is changed. Only surfaces that Limn draws see
  * these settings; for VTK's own mappers a rectangle or sphere is a point light at Position.

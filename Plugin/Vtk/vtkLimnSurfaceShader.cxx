@@ -31,13 +31,14 @@ limn::FragmentVectorsView fromVtk(const Vectors& v)
 Fragments toVtk(const limn::SurfaceFragments& f)
 {
   return { f.count, toVtk(f.position), toVtk(f.modelPosition), toVtk(f.normal), toVtk(f.ambient),
-    toVtk(f.diffuse), toVtk(f.specular), f.pixelX, f.pixelY, f.cell };
+    toVtk(f.diffuse), toVtk(f.specular), f.u, f.v, f.pixelX, f.pixelY, f.cell };
 }
 
 limn::SurfaceFragments fromVtk(const Fragments& f)
 {
   return { f.Count, fromVtk(f.Position), fromVtk(f.ModelPosition), fromVtk(f.Normal),
-    fromVtk(f.Ambient), fromVtk(f.Diffuse), fromVtk(f.Specular), f.PixelX, f.PixelY, f.Cell };
+    fromVtk(f.Ambient), fromVtk(f.Diffuse), fromVtk(f.Specular), f.U, f.V, f.PixelX, f.PixelY,
+    f.Cell };
 }
 
 void copy(limn::Vec3f from, float to[3])

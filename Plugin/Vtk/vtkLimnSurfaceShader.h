@@ -60,11 +60,13 @@ public:
     int Count;
     Vectors Position;      ///< in view coordinates: the eye at the origin, looking along -z
     Vectors ModelPosition; ///< in the coordinates of the mapper's points
-    Vectors Normal;        ///< unit, in view coordinates, turned to the eye
-    Vectors Ambient;       ///< k_a: of the property, or of the scalars where they are seen
+    Vectors Normal;        ///< unit, in view coordinates, turned to the eye; with bump maps
+    Vectors Ambient;       ///< k_a: of the property or the scalars, under surface textures
     Vectors Diffuse;       ///< k_d
     Vectors Specular;      ///< k_s
-    const int* PixelX;     ///< from the viewport's lower left corner
+    const float* U;        ///< texture coordinates; null where no texture needs them
+    const float* V;
+    const int* PixelX; ///< from the viewport's lower left corner
     const int* PixelY;
     const unsigned int* Cell; ///< of the mapper's input
   };
@@ -114,7 +116,7 @@ public:
 
   /**
    * Writes red, green and blue of all fragments; 1 is full. What is not a number counts as 0.
-   * Called by several threads at once.
+   * Called by several threads at once; it may not throw.
    */
   VTK_WRAPEXCLUDE virtual void Shade(
     const Fragments& fragments, const Lighting& lighting, float* const color[3]) const = 0;

@@ -44,8 +44,8 @@ public:
 
   /**
    * Moves points in place. They are rounded to floats where the input's are floats. Called by
-   * several threads at once; where a point goes shall depend on its position, normal and number,
-   * and on the object's own settings only.
+   * several threads at once; it may not throw. Where a point goes shall depend on its position,
+   * normal and number, and on the object's own settings only.
    */
   VTK_WRAPEXCLUDE virtual void Move(const Vertices& vertices) const = 0;
 

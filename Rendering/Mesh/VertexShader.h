@@ -27,8 +27,8 @@ class VertexShader {
   ///
   /// Called by several threads at once. How vertices are put together is not defined: where one
   /// goes shall depend on its position, normal and number, and on the shader's own constants only.
-  /// For the same bytes everywhere keep to + - * /, std::sqrt and Base/Power.h, and compile with
-  /// -ffp-contract=off.
+  /// It may not throw. For the same bytes everywhere keep to + - * /, std::sqrt and Base/Power.h,
+  /// and compile with -ffp-contract=off.
   virtual void move(VertexBatch& vertices) const = 0;
 
   /// Whether move() turns the normals too; they need not be unit. Where it does not, they have to

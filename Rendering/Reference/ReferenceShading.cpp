@@ -533,7 +533,8 @@ class PointLighting final : public SurfaceLighting {
               float* falls) const override
   {
     for (int i = 0; i < fragments.count; ++i) {
-      const Arrival at = reference::arrive(lights_[number], fragments.position[i], instance.style.fallOff);
+      const Arrival at =
+          reference::arrive(lights_[number], fragments.position[i], instance.style.fallOff);
       towards.set(i, at.toward);
       falls[i] = at.fall;
     }
@@ -561,10 +562,18 @@ Vec3f runSurfaceShader(const Face& face, const SurfacePoint& point, const Surfac
   const std::uint32_t cell = face.cell();
   const bool hasUv = !lighting.instance.attributes.uv.empty();
   const Vec2f uv = hasUv ? face.uv() : Vec2f{0, 0};
-  const SurfaceFragments fragments = {1,       position, model,
-                                      normal,  ambient,  diffuse,
-                                      specular, hasUv ? &uv.x : nullptr,
-                                      hasUv ? &uv.y : nullptr, &x, &y, &cell};
+  const SurfaceFragments fragments = {1,
+                                      position,
+                                      model,
+                                      normal,
+                                      ambient,
+                                      diffuse,
+                                      specular,
+                                      hasUv ? &uv.x : nullptr,
+                                      hasUv ? &uv.y : nullptr,
+                                      &x,
+                                      &y,
+                                      &cell};
   FragmentVectors colors;
   lighting.instance.style.surfaceShader->shade(fragments, lighting, colors);
   return colors[0];
@@ -587,8 +596,8 @@ Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransfor
   }
   const Vec3f dataColor = colored ? face.pixelColor() : Vec3f{};
   if (style.surfaceShader != nullptr) {
-    Surface surface = face.bareSurface(
-        face.pixelPosition(), flat ? face.faceNormal() : face.bentNormal(), dataColor);
+    Surface surface = face.bareSurface(face.pixelPosition(),
+                                       flat ? face.faceNormal() : face.bentNormal(), dataColor);
     face.dress(surface);
     const Vec3f color = runSurfaceShader(face, point, surface, {scene, instance, lights});
     return finish(face, instance, surface.diffuse, color);

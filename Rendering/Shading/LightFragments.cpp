@@ -25,9 +25,10 @@ HWY_EXPORT(quantizeFragmentsKernel);
 HWY_EXPORT(boundRadianceKernel);
 HWY_EXPORT(shadeTrianglesKernel);
 HWY_EXPORT(describeSurfacesKernel);
+HWY_EXPORT(runSurfaceShaderKernel);
 HWY_EXPORT(lightSurfacesKernel);
 HWY_EXPORT(arriveAtSurfacesKernel);
-HWY_EXPORT(outlineSurfacesKernel);
+HWY_EXPORT(finishSurfacesKernel);
 
 void lightFragments(const ShadingContext& context, FragmentBatch& batch)
 {
@@ -57,6 +58,15 @@ void describeSurfaces(const ShadingContext& context, const FragmentBatch& batch,
   HWY_DYNAMIC_DISPATCH(describeSurfacesKernel)(context, batch, surfaces);
 }
 
+void runSurfaceShader(const ShadingContext& context, const TileClusters& clusters,
+                      const TileRectangle& pixels, const FragmentList& fragments,
+                      Span<const std::uint32_t> numbers, const FragmentBatch& batch,
+                      TileColors& colors)
+{
+  HWY_DYNAMIC_DISPATCH(runSurfaceShaderKernel)
+  (context, clusters, pixels, fragments, numbers, batch, colors);
+}
+
 void lightSurfaces(const ShadingContext& context, const SurfaceFragments& fragments,
                    FragmentVectors& colors)
 {
@@ -69,10 +79,10 @@ void arriveAtSurfaces(const ShadingContext& context, std::size_t light,
   HWY_DYNAMIC_DISPATCH(arriveAtSurfacesKernel)(context, light, fragments, towards, falls);
 }
 
-void outlineSurfaces(const ShadingContext& context, const SurfaceFragments& fragments,
-                     FragmentVectors& colors)
+void finishSurfaces(const ShadingContext& context, const SurfaceArrays& surfaces,
+                    FragmentBatch& batch)
 {
-  HWY_DYNAMIC_DISPATCH(outlineSurfacesKernel)(context, fragments, colors);
+  HWY_DYNAMIC_DISPATCH(finishSurfacesKernel)(context, surfaces, batch);
 }
 
 }  // namespace limn

@@ -27,24 +27,6 @@ class BatchLighting final : public SurfaceLighting {
   const ShadingContext& context_;
 };
 
-void nameCells(const TileClusters& clusters, const FragmentBatch& batch, SurfaceArrays& surfaces)
-{
-  for (int i = 0; i < batch.count; ++i) {
-    const PlacedCluster& cluster = clusters.at(TileOwner::slot(batch.owner[i]));
-    const std::uint32_t triangle = cluster.meshTriangle(TileOwner::triangle(batch.owner[i]));
-    const Span<const std::uint32_t> cells = cluster.placed->instance->attributes.cells;
-    surfaces.cell[i] = cells.empty() ? triangle : cells[triangle];
-  }
-}
-
-void namePixels(const TileRectangle& pixels, const FragmentBatch& batch, SurfaceArrays& surfaces)
-{
-  for (int i = 0; i < batch.count; ++i) {
-    surfaces.pixelX[i] = pixels.x0 + batch.pixel[i] % kTileSide;
-    surfaces.pixelY[i] = pixels.y0 + batch.pixel[i] / kTileSide;
-  }
-}
-
 void addOrigin(Vec3d origin, int count, FragmentVectors& positions)
 {
   if (origin == Vec3d{0, 0, 0}) return;
@@ -54,21 +36,39 @@ void addOrigin(Vec3d origin, int count, FragmentVectors& positions)
 
 }  // namespace
 
+std::uint32_t cellOf(const TileClusters& clusters, std::uint32_t owner)
+{
+  const PlacedCluster& cluster = clusters.at(TileOwner::slot(owner));
+  const std::uint32_t triangle = cluster.meshTriangle(TileOwner::triangle(owner));
+  const Span<const std::uint32_t> cells = cluster.placed->instance->attributes.cells;
+  return cells.empty() ? triangle : cells[triangle];
+}
+
+void callSurfaceShader(const ShadingContext& context, int count, SurfaceArrays& surfaces,
+                       FragmentVectors& colors)
+{
+  const Instance& instance = *context.placed->instance;
+  const bool hasUv = !instance.attributes.uv.empty();
+  addOrigin(context.placed->mesh().origin, count, surfaces.modelPosition);
+  instance.style.surfaceShader->shade(
+      {count, surfaces.position, surfaces.modelPosition, surfaces.normal, surfaces.ambient,
+       surfaces.diffuse, surfaces.specular, hasUv ? surfaces.u : nullptr,
+       hasUv ? surfaces.v : nullptr, surfaces.pixelX, surfaces.pixelY, surfaces.cell},
+      BatchLighting(context), colors);
+}
+
 void runSurfaceShader(const ShadingContext& context, const TileClusters& clusters,
                       const TileRectangle& pixels, FragmentBatch& batch)
 {
   SurfaceArrays surfaces;
   describeSurfaces(context, batch, surfaces);
-  addOrigin(context.placed->mesh().origin, batch.count, surfaces.modelPosition);
-  nameCells(clusters, batch, surfaces);
-  namePixels(pixels, batch, surfaces);
-  const SurfaceFragments fragments = {batch.count,       surfaces.position, surfaces.modelPosition,
-                                      surfaces.normal,   surfaces.ambient,  surfaces.diffuse,
-                                      surfaces.specular, surfaces.pixelX,   surfaces.pixelY,
-                                      surfaces.cell};
-  const Style& style = context.placed->instance->style;
-  style.surfaceShader->shade(fragments, BatchLighting(context), batch.color);
-  if (style.outlineThreshold > 0.0f) outlineSurfaces(context, fragments, batch.color);
+  for (int i = 0; i < batch.count; ++i) {
+    surfaces.pixelX[i] = pixels.x0 + batch.pixel[i] % kTileSide;
+    surfaces.pixelY[i] = pixels.y0 + batch.pixel[i] / kTileSide;
+    surfaces.cell[i] = cellOf(clusters, batch.owner[i]);
+  }
+  callSurfaceShader(context, batch.count, surfaces, batch.color);
+  finishSurfaces(context, surfaces, batch);
 }
 
 }  // namespace limn

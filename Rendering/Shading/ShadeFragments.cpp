@@ -288,15 +288,14 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   const Span<const std::uint32_t> triangles(fragments.triangleOwner.data(),
                                             fragments.triangleCount);
   forEachBatch(clusters, triangles, [&](const PlacedInstance& placed, auto numbers) {
-    if (isProgrammed(placed)) {
-      for (const std::uint32_t number : numbers)
-        fragments.breakRuns(number, samples);
-      return;
-    }
     for (std::size_t i = 0; i < numbers.size(); ++i)
       setPoint(i, fragments.run[fragments.firstRun[numbers[i]]].pixel, kPixelCentre);
     fillBatch(clusters, placed, pixels);
-    shadeTriangles({clusters.scene, &placed}, pixels, fragments, numbers, batch_, colors);
+    const ShadingContext context = {clusters.scene, &placed};
+    if (isProgrammed(placed))
+      runSurfaceShader(context, clusters, pixels, fragments, numbers, batch_, colors);
+    else
+      shadeTriangles(context, pixels, fragments, numbers, batch_, colors);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       if (batch_.needsClip[i] != 0) fragments.breakRuns(numbers[i], samples);
   });

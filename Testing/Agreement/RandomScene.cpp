@@ -239,7 +239,8 @@ void RandomScene::addMesh(Random& random, Detail detail)
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
   std::vector<Vec3d> points =
       detail == Detail::kFine ? makeBumpySphere(random, *mesh)
-      : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders) && seed_ % 2 == 0)
+      : detail == Detail::kCoarse ||
+              ((detail == Detail::kTextures || detail == Detail::kShaders) && seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
   if (random.chance(6)) {

@@ -34,11 +34,9 @@ class RandomSurfaceShader final : public SurfaceShader {
       normal.set(i, normalized(n + Vec3f{dent_, -dent_, 0.0f} * stripe));
       diffuse.set(i, fragments.diffuse[i] * stripe + tint_ * (1.0f - stripe));
     }
-    const SurfaceFragments changed = {fragments.count,         fragments.position,
-                                      fragments.modelPosition, normal,
-                                      fragments.ambient,       diffuse,
-                                      fragments.specular,      fragments.pixelX,
-                                      fragments.pixelY,        fragments.cell};
+    SurfaceFragments changed = fragments;
+    changed.normal = normal;
+    changed.diffuse = diffuse;
     lighting.light(changed, colors);
     addLights(fragments, lighting, colors);
     for (int i = 0; i < fragments.count; ++i)
@@ -69,7 +67,9 @@ class RandomSurfaceShader final : public SurfaceShader {
     const float rim = power(1.0f - std::fabs(dot(v, fragments.normal[i])), 3.0f);
     const float number = static_cast<float>(bits % 7) * 0.02f;
     if (hasHoles_ && bits % 5 == 0) return {std::numeric_limits<float>::quiet_NaN(), -1e30f, rim};
-    return Vec3f{rim, number, 0.0f} + (fragments.ambient[i] + fragments.specular[i]) * 0.2f;
+    const float uv =
+        fragments.u == nullptr ? 0.0f : fragments.u[i] * 0.03f + fragments.v[i] * 0.05f;
+    return Vec3f{rim, number, uv} + (fragments.ambient[i] + fragments.specular[i]) * 0.2f;
   }
 
   Vec3f tint_;

@@ -69,10 +69,9 @@ class HalfDiffuse final : public SurfaceShader {
     FragmentVectors half;
     for (int i = 0; i < fragments.count; ++i)
       half.set(i, fragments.diffuse[i] * 0.5f);
-    lighting.light({fragments.count, fragments.position, fragments.modelPosition, fragments.normal,
-                    fragments.ambient, half, fragments.specular, fragments.pixelX, fragments.pixelY,
-                    fragments.cell},
-                   colors);
+    SurfaceFragments darker = fragments;
+    darker.diffuse = half;
+    lighting.light(darker, colors);
   }
 };
 
@@ -250,6 +249,29 @@ TEST_P(SurfaceShaders, PixelsAndCellsAreNamed)
       EXPECT_EQ(color.r, x);
       EXPECT_EQ(color.g, y);
       EXPECT_EQ(color.b, y / 32 * 4 + x / 32);
+    }
+}
+
+TEST_P(SurfaceShaders, TextureCoordinatesAreTheMeshsOrMissing)
+{
+  OwnedMesh mesh = sheet({0, 0, 0}, {64, 0, 0}, {0, 64, 0}, 2);
+  Stage stage = pixelStage(64, 1);
+  stage.instances = {instanceOf(mesh)};
+  const PointwiseShader shader([](const SurfaceFragments& fragments, int i) {
+    return fragments.u == nullptr ? Vec3f{0, 0, 1} : Vec3f{fragments.u[i], fragments.v[i], 0};
+  });
+  EXPECT_EQ(at(drawnBy(stage, shader, GetParam()), 20, 20).b, 255);
+
+  std::vector<Vec2f> uv;
+  for (const Vec3f p : mesh.positions)
+    uv.push_back({p.x / 64, 1 - p.y / 64});
+  stage.instances[0].attributes.uv = uv;
+  const Picture picture = drawnBy(stage, shader, GetParam());
+  for (int y = 0; y < 64; y += 5)
+    for (int x = 0; x < 64; x += 5) {
+      EXPECT_NEAR(at(picture, x, y).r, (x + 0.5) / 64 * 255, kRounding + 0.01);
+      EXPECT_NEAR(at(picture, x, y).g, (63.5 - y) / 64 * 255, kRounding + 0.01);
+      EXPECT_EQ(at(picture, x, y).b, 0);
     }
 }
 

@@ -64,7 +64,8 @@ void takeOver(const MovedVertices& moved, OwnedMesh& mesh)
 {
   mesh.positions = moved.positions;
   mesh.precise = moved.precisePositions;
-  mesh.vertexNormals = moved.normals.empty() ? areaWeightedNormals(mesh.view()) : moved.normals;
+  mesh.vertexNormals =
+      moved.normals.empty() ? vertexNormals(mesh.view(), NormalWeight::kArea) : moved.normals;
   if (refitClusters(mesh.view(), 2, mesh.clusters)) return;
   ASSERT_TRUE(buildClusters(mesh.view(), 2, mesh.clusters).ok());
 }
@@ -87,7 +88,7 @@ TEST_P(VertexShaders, DrawAsAMeshGivenWithThosePositions)
       p = vec3Cast<float>(rippled(vec3Cast<double>(p)));
     for (Vec3d& p : given.precise)
       p = rippled(p);
-    given.vertexNormals = areaWeightedNormals(given.view());
+    given.vertexNormals = vertexNormals(given.view(), NormalWeight::kArea);
     finish(given);
 
     MovedVertices moved;
