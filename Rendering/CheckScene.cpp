@@ -43,9 +43,13 @@ Status checkFrame(const Scene& scene, const FrameView& frame)
       (radiance.r == nullptr) != (radiance.b == nullptr))
     return {Error::kMissingData,
             "The image has one or two planes of radiance; give three or none."};
-  if (scene.samples != 1 && scene.samples != 2 && scene.samples != 4 && scene.samples != 8)
+  if (scene.samples != 1 && scene.samples != 2 && scene.samples != 4 && scene.samples != 8 &&
+      scene.samples != 16)
+    return {Error::kInvalidSampleCount, "Samples per pixel: " + std::to_string(scene.samples) +
+                                            " is not one of 1, 2, 4, 8, 16."};
+  if (scene.samples > 8 && frame.coverage != nullptr)
     return {Error::kInvalidSampleCount,
-            "Samples per pixel: " + std::to_string(scene.samples) + " is not one of 1, 2, 4, 8."};
+            "A plane of coverage has room for 8 samples per pixel; draw 16 without one."};
   return {};
 }
 
@@ -140,6 +144,8 @@ Status checkMaterial(const Instance& instance, InstanceName name)
   if (!isFinite(m.refractiveIndex) ||
       std::min({m.refractiveIndex.x, m.refractiveIndex.y, m.refractiveIndex.z}) < 1)
     return {Error::kNotFinite, name + ": the refractive index has to be at least 1."};
+  if (!(m.opacity >= 0 && m.opacity <= 1))
+    return {Error::kNotFinite, name + ": the opacity has to be 0 to 1."};
   if (!isFinite(s.toneCool) || !isFinite(s.toneWarm) || !isFinite(s.outlineColor) ||
       !std::isfinite(s.coolSurface) || !std::isfinite(s.warmSurface) ||
       !std::isfinite(s.outlineThreshold))

@@ -54,7 +54,8 @@ struct FrameView {
   /// Window depth in [0, 1], 0 near. A sample is drawn where it is not behind the old depth; the
   /// nearest sample's depth is written.
   float* depth = nullptr;
-  std::uint8_t* coverage = nullptr;   ///< bit s set: sample s shows an instance; may be null
+  /// Bit s set: sample s shows an instance. May be null, and has to be with 16 samples.
+  std::uint8_t* coverage = nullptr;
   std::uint32_t* instance = nullptr;  ///< Instance::id of the nearest sample; may be null
   std::uint32_t* cell = nullptr;      ///< cell of the nearest sample; may be null
   Background background = Background::kBlend;

@@ -8,13 +8,16 @@
 #include "Rendering/CheckEffects.h"
 #include "Rendering/CheckScene.h"
 #include "Rendering/Post/ClearPixels.h"
+#include "Rendering/Post/CompositeTile.h"
 #include "Rendering/Post/EffectPass.h"
 #include "Rendering/Post/ResolveRadiance.h"
 #include "Rendering/Post/ResolveTile.h"
+#include "Rendering/Raster/TranslucentTile.h"
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Reference/ReferenceEffects.h"
 #include "Rendering/Reference/ReferenceRenderer.h"
 #include "Rendering/Shading/Fragments.h"
+#include "Rendering/Shading/TranslucentFragments.h"
 #include "Rendering/Vertex/PlacedScene.h"
 
 #include <algorithm>
@@ -40,6 +43,24 @@ TileMemory& tileMemory()
   return *memory;
 }
 
+/// Likewise, for tiles with translucent surfaces.
+struct TranslucentMemory {
+  TranslucentTile samples;
+  TranslucentFragments fragments;
+  TileCompositor compositor;
+};
+
+TranslucentMemory& translucentMemory()
+{
+  thread_local const auto memory = std::make_unique<TranslucentMemory>();
+  return *memory;
+}
+
+/// What one tile adds to RenderStats.
+struct TileStats {
+  std::size_t occludedClusters = 0, truncatedPixels = 0;
+};
+
 class Stopwatch {
  public:
   double milliseconds() const
@@ -61,28 +82,98 @@ bool isToBeCleared(const FrameClear& clear, const TileRectangle& pixels,
          (clear.extent == FrameClear::Extent::kTouched && meets);
 }
 
-/// Returns the number of occluded clusters.
-std::size_t drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
-                     const FrameView& frame)
+/// The translucent surfaces of a tile: clusters from `firstSlot` on.
+class TranslucentLayers {
+ public:
+  TranslucentLayers(const TileClusters& clusters, std::size_t firstSlot,
+                    const TileRectangle& pixels, TileMemory& opaque)
+      : clusters_(clusters),
+        firstSlot_(firstSlot),
+        pixels_(pixels),
+        samples_(clusters.scene->scene->samples),
+        opaque_(opaque)
+  {
+  }
+
+  /// Returns the number of truncated pixels.
+  std::size_t composite(const FrameView& frame)
+  {
+    memory_.compositor.begin(clusters_, pixels_, opaque_.fragments, opaque_.colors, frame);
+    return compositeRows({pixels_.y0, pixels_.y1});
+  }
+  void write() const { memory_.compositor.write(); }
+
+ private:
+  std::size_t compositeRows(TileRows rows)
+  {
+    memory_.samples.clear();
+    rasterize(rows);
+    std::size_t truncated = 0;
+    if (memory_.samples.isOverfull()) {
+      if (rows.end - rows.first > 1) {
+        const int middle = (rows.first + rows.end) / 2;
+        truncated += compositeRows({rows.first, middle});
+        return truncated + compositeRows({middle, rows.end});
+      }
+      memory_.samples.keepNearest(clusters_, samples_);
+      rasterize(rows);
+      truncated = memory_.samples.settle();
+    }
+    memory_.fragments.collect(clusters_, samples_, memory_.samples);
+    opaque_.shader.shade(clusters_, pixels_, samples_, memory_.fragments);
+    memory_.compositor.add(memory_.fragments);
+    return truncated;
+  }
+  void rasterize(TileRows rows)
+  {
+    rasterizeTranslucent(clusters_, firstSlot_, pixels_, rows, samples_, opaque_.visible,
+                         memory_.samples);
+  }
+
+  const TileClusters& clusters_;
+  std::size_t firstSlot_;
+  TileRectangle pixels_;
+  int samples_;
+  TileMemory& opaque_;
+  TranslucentMemory& memory_ = translucentMemory();
+};
+
+void resolve(const TileClusters& clusters, const TileRectangle& pixels, const FrameView& frame,
+             TileMemory& memory)
+{
+  if (memory.colors.hasRadiance)
+    resolveRadiance(clusters, pixels, memory.fragments, memory.colors, frame);
+  resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
+}
+
+TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+                   const FrameView& frame)
 {
   const TileRectangle pixels = bins.grid.rectangle(tile);
   if (isToBeCleared(frame.clear, pixels, bins.touched)) clearPixels(frame, pixels);
-  if (bins.clustersOf(tile).empty()) return 0;
+  if (bins.clustersOf(tile).empty()) return {};
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
 
-  orderClusters(scene, bins, tile, memory.ordered);
+  const std::size_t opaque = orderClusters(scene, bins, tile, memory.ordered);
   const TileClusters clusters = {&scene, memory.ordered};
   clearTile(frame, pixels, samples, memory.visible);
-  const std::size_t occluded = rasterizeTile(clusters, pixels, samples, memory.visible);
+  TileStats stats;
+  stats.occludedClusters =
+      rasterizeTile({&scene, {memory.ordered.data(), opaque}}, pixels, samples, memory.visible);
   collectFragments(memory.visible, pixels, samples, scene.optimizations.fragmentRuns,
                    memory.fragments);
   memory.colors.hasRadiance = !frame.radiance.empty();
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
-  if (memory.colors.hasRadiance)
-    resolveRadiance(clusters, pixels, memory.fragments, memory.colors, frame);
-  resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
-  return occluded;
+  if (opaque == memory.ordered.size()) {
+    resolve(clusters, pixels, frame, memory);
+    return stats;
+  }
+  TranslucentLayers layers(clusters, opaque, pixels, memory);
+  stats.truncatedPixels = layers.composite(frame);
+  resolve(clusters, pixels, frame, memory);
+  layers.write();
+  return stats;
 }
 
 void countScene(const PlacedScene& scene, const TileBins& bins, RenderStats& stats)
@@ -116,11 +207,14 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   stats.binMilliseconds = binTime.milliseconds();
 
   const Stopwatch tileTime;
-  std::atomic<std::size_t> occluded = 0;
+  std::atomic<std::size_t> occluded = 0, truncated = 0;
   parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
-    occluded.fetch_add(drawTile(placed, bins, tile, frame), std::memory_order_relaxed);
+    const TileStats drawn = drawTile(placed, bins, tile, frame);
+    occluded.fetch_add(drawn.occludedClusters, std::memory_order_relaxed);
+    truncated.fetch_add(drawn.truncatedPixels, std::memory_order_relaxed);
   });
   stats.occludedClusters = occluded;
+  stats.truncatedPixels = truncated;
   stats.tileMilliseconds = tileTime.milliseconds();
   countScene(placed, bins, stats);
   return {};
@@ -138,7 +232,7 @@ Status render(const Scene& scene, const FrameView& frame, const RenderOptions& o
     const Stopwatch time;
     if (frame.clear.extent != FrameClear::Extent::kNothing)
       clearPixels(frame, {0, 0, frame.width, frame.height});
-    reference::render(scene, frame);
+    frameStats.truncatedPixels = reference::render(scene, frame);
     frameStats.instances = scene.instances.size();
     for (const Instance& instance : scene.instances)
       frameStats.triangles += instance.mesh.triangles.size();

@@ -35,6 +35,8 @@ struct RenderStats {
   std::size_t instances = 0, clusters = 0, triangles = 0, vertices = 0;
   std::size_t binnedClusters = 0;    ///< cluster-tile pairs after culling
   std::size_t occludedClusters = 0;  ///< of these, left out because the tile was nearer
+  /// Pixels with more translucent surfaces than were kept; see kMaxTranslucentSamples.
+  std::size_t truncatedPixels = 0;
   double binMilliseconds = 0, tileMilliseconds = 0;
   std::size_t bytes = 0;   ///< of the clusters and of the frame's own memory
   PixelRectangle touched;  ///< no pixel outside was written, but for FrameView::clear

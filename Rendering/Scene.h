@@ -129,6 +129,9 @@ struct Material {
   /// kAsVtk, kNone and the metallic models.
   Vec3f rim = {0, 0, 0};
   float rimPower = 3;  ///< >= 0
+  /// Share of what is seen that is the surface's, 0 to 1; the rest is what lies behind it. Below 1
+  /// the instance is translucent.
+  float opacity = 1;
 };
 
 struct Style {
@@ -150,6 +153,10 @@ struct Style {
   Vec3f outlineColor = {0, 0, 0};
   /// Gives colours in the place of the light equation, pixel by pixel; may call it. Not owned.
   const SurfaceShader* surfaceShader = nullptr;
+  /// The instance is translucent, whatever its opacity, which the alpha of Attributes' colours
+  /// multiplies. Textures of kShaded and kSurface do, too, but for TextureMode::kReplace, which
+  /// puts the texture's alpha in place of the colours', and kDecal, which leaves that as it is.
+  bool readsAlpha = false;
 };
 
 /// Values on a mesh. Sizes: one per vertex or one per cell of the MeshView, or empty.
@@ -157,7 +164,7 @@ struct Attributes {
   Span<const Vec3f> vertexNormals;  ///< need not be unit; with normalOfCorner: any number
   Span<const Vec3f> cellNormals;
   /// Replace the material's diffuse and ambient *colours*; vertex colours win over cell colours.
-  /// Alpha is not read.
+  /// Alpha is read where Style::readsAlpha asks for it.
   Span<const Rgba8> vertexColors;
   Span<const Rgba8> cellColors;
   /// Where flat shading lights a face, per cell: FaceGeometry::centroid, or firstCorners().
@@ -174,6 +181,15 @@ struct Attributes {
 };
 
 /// One mesh in the world. Draw order is the order in Scene::instances, then of the triangles.
+///
+/// Translucent instances are drawn after the opaque ones, exactly and in any order of submission:
+/// in each sample every triangle that is not behind the opaque surfaces gives one fragment of
+/// colour c and alpha a, both clamped to 0 ... 1, shaded once a pixel as opaque ones are. From the
+/// farthest to the nearest (of equal depths the later in draw order is nearer) each makes C into c
+/// a + C (1 - a) and A into a + A (1 - a), in float; C and A start as the bytes that the sample
+/// would have without it, divided by 255, and end up rounded to bytes. Radiance, which has no upper
+/// bound of 1, goes the same way from the sample's radiance. They write neither depth nor names.
+/// How many fragments are kept is bounded: see kMaxTranslucentSamples.
 struct Instance {
   const ClusteredMesh* clusters = nullptr;  ///< read by the pipeline
   MeshView mesh;                            ///< read by the reference renderer
@@ -184,6 +200,8 @@ struct Instance {
   Span<const TextureLayer> layers;                     ///< applied in this order
   bool cullBackFaces = false, cullFrontFaces = false;  ///< front: counter-clockwise on the screen
   std::uint32_t id = 0;  ///< written to FrameView::instance where this instance is seen
+
+  bool isTranslucent() const { return material.opacity < 1 || style.readsAlpha; }
 };
 
 /// How the samples of a pixel become one colour.
@@ -197,7 +215,7 @@ struct Scene {
   Vec3f ambientLight = {0, 0, 0};  ///< I_a; not used by Reflection::kAsVtk and kNone
   Span<const Light> lights;
   Span<const Instance> instances;
-  int samples = 1;  ///< per pixel: 1, 2, 4 or 8, at Direct3D's standard positions
+  int samples = 1;  ///< per pixel: 1, 2, 4, 8 or 16, at Direct3D's standard positions
   Resolve resolve = Resolve::kGamma22;
 };
 

@@ -50,7 +50,7 @@ std::uint8_t ResolveTable::byteOfMean(std::uint32_t sum, std::uint32_t count) co
   unsigned low = 0, high = 256;
   while (high - low > 1) {
     const unsigned middle = (low + high) / 2;
-    // 8 * 2^24 fits an unsigned 32-bit number.
+    // 16 * 2^24 fits an unsigned 32-bit number.
     if (lowerEnd_[middle] * count <= sum)
       low = middle;
     else

@@ -13,7 +13,7 @@ class ResolveTable {
   static const ResolveTable& gamma22();
 
   std::uint32_t linear(std::uint8_t byte) const { return linear_[byte]; }
-  /// Requires: `sum` is the sum of `count` linear() values, 1 <= count <= 8.
+  /// Requires: `sum` is the sum of `count` linear() values, 1 <= count <= 16.
   std::uint8_t byteOfMean(std::uint32_t sum, std::uint32_t count) const;
 
  private:

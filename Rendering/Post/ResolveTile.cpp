@@ -2,48 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Post/ResolveTile.h"
 
+#include "Rendering/Post/ColorSum.h"
 #include "Rendering/Post/TilePlace.h"
-#include "Rendering/Base/ResolveTable.h"
 
 #include <algorithm>
 
 namespace limn {
 namespace {
-
-/// A sum of colours, weighted by counts of samples, and its mean.
-class ColorSum {
- public:
-  explicit ColorSum(Resolve resolve) : resolve_(resolve) {}
-
-  void add(Rgba8 color, std::uint32_t samples)
-  {
-    r_ += value(color.r) * samples;
-    g_ += value(color.g) * samples;
-    b_ += value(color.b) * samples;
-    a_ += color.a * samples;
-    count_ += samples;
-  }
-  Rgba8 mean() const { return {byte(r_), byte(g_), byte(b_), linearByte(a_)}; }
-
- private:
-  std::uint32_t value(std::uint8_t byte) const
-  {
-    return resolve_ == Resolve::kGamma22 ? ResolveTable::gamma22().linear(byte) : byte;
-  }
-  std::uint8_t byte(std::uint32_t sum) const
-  {
-    return resolve_ == Resolve::kGamma22 ? ResolveTable::gamma22().byteOfMean(sum, count_)
-                                         : linearByte(sum);
-  }
-  std::uint8_t linearByte(std::uint32_t sum) const
-  {
-    // NOLINTNEXTLINE(clang-analyzer-core.DivideZero): every fragment covers a sample
-    return static_cast<std::uint8_t>((sum + count_ / 2) / count_);
-  }
-
-  Resolve resolve_;
-  std::uint32_t r_ = 0, g_ = 0, b_ = 0, a_ = 0, count_ = 0;
-};
 
 struct Nearest {
   float depth;
@@ -134,13 +99,13 @@ void mixFragments(const TileClusters& clusters, const VisibilityTile& tile, cons
     const Rgba8 firstColor = colors.fragment[next];
     ColorSum sum(scene.resolve);
     std::uint32_t covered = 0;
-    std::uint8_t coverage = 0;
+    std::uint32_t coverage = 0;
     const std::size_t first = next;
     for (; next < fragments.count && fragments.pixel[next] == pixel; ++next) {
       const std::uint32_t count = bitCount(fragments.coverage[next]);
       sum.add(colors.fragment[next], count);
       covered += count;
-      coverage = static_cast<std::uint8_t>(coverage | fragments.coverage[next]);
+      coverage |= fragments.coverage[next];
     }
     if (covered < samples && frame.background == Background::kBlend)
       sum.add(frame.color[index], samples - covered);
@@ -150,7 +115,7 @@ void mixFragments(const TileClusters& clusters, const VisibilityTile& tile, cons
     frame.color[index] = uniform ? firstColor : sum.mean();
     const Nearest nearest = nearestSample(clusters, tile, scene.samples, pixel);
     frame.depth[index] = nearest.depth;
-    if (frame.coverage != nullptr) frame.coverage[index] = coverage;
+    if (frame.coverage != nullptr) frame.coverage[index] = static_cast<std::uint8_t>(coverage);
     writeNames(clusters, nearest.owner, frame, index, 1);
   }
 }

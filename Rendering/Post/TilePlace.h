@@ -28,10 +28,10 @@ class TilePlace {
 };
 
 /// Samples of a coverage.
-inline std::uint32_t bitCount(std::uint8_t bits)
+inline std::uint32_t bitCount(std::uint32_t bits)
 {
   std::uint32_t count = 0;
-  for (; bits != 0; bits = static_cast<std::uint8_t>(bits & (bits - 1)))
+  for (; bits != 0; bits &= bits - 1)
     ++count;
   return count;
 }

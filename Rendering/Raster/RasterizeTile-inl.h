@@ -11,6 +11,8 @@ namespace limn::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+constexpr std::int32_t kMaxLanes = HWY_MAX_BYTES / sizeof(std::int32_t);
+
 /// A box of whole pixels, last ones included.
 struct PixelBox {
   int x0, y0, x1, y1;
@@ -24,10 +26,11 @@ constexpr std::int32_t kSmallBox = 112 * kSubpixels;
 static_assert(std::int64_t{kSmallBox} * (kSmallBox + 17 * kSubpixels) * 2 < (std::int64_t{1} << 31),
               "edge values of small triangles fit int32");
 
-/// One tile being drawn.
+/// A tile being drawn, or some of its rows.
 struct TileTarget {
   const TileClusters& clusters;
   TileRectangle pixels;
+  TileRows rows;
   Span<const SampleOffset> offsets;
   SampleOffset lowest, highest;  ///< over all samples, per axis
   VisibilityTile& tile;
@@ -35,9 +38,9 @@ struct TileTarget {
   PixelBox box(std::int32_t minX, std::int32_t minY, std::int32_t maxX, std::int32_t maxY) const
   {
     return {std::max(pixels.x0, (minX - highest.x + kSubpixels - 1) >> kSubpixelBits),
-            std::max(pixels.y0, (minY - highest.y + kSubpixels - 1) >> kSubpixelBits),
+            std::max(rows.first, (minY - highest.y + kSubpixels - 1) >> kSubpixelBits),
             std::min(pixels.x1 - 1, (maxX - lowest.x) >> kSubpixelBits),
-            std::min(pixels.y1 - 1, (maxY - lowest.y) >> kSubpixelBits)};
+            std::min(rows.end - 1, (maxY - lowest.y) >> kSubpixelBits)};
   }
 };
 
@@ -53,31 +56,6 @@ struct DepthPlane {
     z2 = (depth2 - depth0) * inverse;
   }
 };
-
-/// Gives the covered samples of one vector of pixels to `owner` where it is the nearest.
-template <class D, class V, class M>
-HWY_INLINE void depthTest(D d, const TileTarget& target, std::size_t sample, std::size_t index,
-                          M covered, V depth, std::uint32_t owner)
-{
-  const hn::RebindToUnsigned<D> du;
-  float* depths = target.tile.depth[sample] + index;
-  std::uint32_t* owners = target.tile.owner[sample] + index;
-  const V zero = hn::Zero(d);
-  const V z = hn::IfThenElse(hn::Gt(depth, zero), depth, zero);
-  const V old = hn::Load(d, depths);
-  const auto visible = hn::And(covered, hn::Le(depth, hn::Set(d, 1.0f)));
-  auto nearer = hn::And(visible, hn::Lt(z, old));
-  const auto equal = hn::And(visible, hn::Eq(z, old));
-  if (!hn::AllFalse(d, equal)) {
-    float wins[HWY_MAX_BYTES / sizeof(float)];
-    for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
-      wins[lane] = target.clusters.drawnLater(owner, owners[lane]) ? 1.0f : 0.0f;
-    nearer = hn::Or(nearer, hn::And(equal, hn::Gt(hn::LoadU(d, wins), zero)));
-  }
-  hn::Store(hn::IfThenElse(nearer, z, old), d, depths);
-  const auto oldOwner = hn::Load(du, owners);
-  hn::Store(hn::IfThenElse(hn::RebindMask(du, nearer), hn::Set(du, owner), oldOwner), du, owners);
-}
 
 float farthestOf(const VisibilityTile& tile, std::size_t samples, int block)
 {
@@ -105,11 +83,134 @@ bool isBehindBlock(float nearest, std::size_t samples, int block, VisibilityTile
   return nearest > tile.farthest[block];
 }
 
+/// Where opaque triangles go: each sample keeps the nearest.
+struct OpaqueTarget : TileTarget {
+  explicit OpaqueTarget(const TileTarget& target) : TileTarget(target) {}
+
+  void noteDrawn(std::uint64_t blocks) const { tile.stale |= blocks; }
+  void notePieces() const {}
+
+  /// Gives the covered samples of one vector of pixels to `owner` where it is the nearest.
+  template <class D, class V, class M>
+  HWY_INLINE void take(D d, std::size_t sample, std::size_t index, M covered, V depth,
+                       std::uint32_t owner) const
+  {
+    const hn::RebindToUnsigned<D> du;
+    float* depths = tile.depth[sample] + index;
+    std::uint32_t* owners = tile.owner[sample] + index;
+    const V zero = hn::Zero(d);
+    const V z = hn::IfThenElse(hn::Gt(depth, zero), depth, zero);
+    const V old = hn::Load(d, depths);
+    const auto visible = hn::And(covered, hn::Le(depth, hn::Set(d, 1.0f)));
+    auto nearer = hn::And(visible, hn::Lt(z, old));
+    const auto equal = hn::And(visible, hn::Eq(z, old));
+    if (!hn::AllFalse(d, equal)) {
+      float wins[HWY_MAX_BYTES / sizeof(float)];
+      for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane)
+        wins[lane] = clusters.drawnLater(owner, owners[lane]) ? 1.0f : 0.0f;
+      nearer = hn::Or(nearer, hn::And(equal, hn::Gt(hn::LoadU(d, wins), zero)));
+    }
+    hn::Store(hn::IfThenElse(nearer, z, old), d, depths);
+    const auto oldOwner = hn::Load(du, owners);
+    hn::Store(hn::IfThenElse(hn::RebindMask(du, nearer), hn::Set(du, owner), oldOwner), du, owners);
+  }
+
+  /// Gives one sample each of some triangles, one a lane, to them, where they are the nearest.
+  HWY_INLINE void takeEach(std::size_t sample, hn::Mask<hn::ScalableTag<std::int32_t>> covered,
+                           hn::Vec<hn::ScalableTag<float>> z,
+                           hn::Vec<hn::ScalableTag<std::int32_t>> index,
+                           const std::uint32_t* owners) const
+  {
+    const hn::ScalableTag<float> df;
+    const hn::ScalableTag<std::int32_t> d;
+    const auto zero = hn::Zero(df);
+    float* tileDepth = tile.depth[sample];
+    std::uint32_t* tileOwner = tile.owner[sample];
+    const auto inView = hn::And(hn::RebindMask(df, covered), hn::Le(z, hn::Set(df, 1.0f)));
+    // Samples of hidden triangles end here, without a branch for each that cannot be foreseen.
+    const auto behind = hn::GatherIndex(df, tileDepth, hn::IfThenElseZero(covered, index));
+    const auto visible = hn::And(inView, hn::Le(z, behind));
+    if (hn::AllFalse(df, visible)) return;
+    alignas(64) float depths[kMaxLanes];
+    alignas(64) std::int32_t indices[kMaxLanes];
+    hn::Store(hn::IfThenElse(hn::Gt(z, zero), z, zero), df, depths);
+    hn::Store(index, d, indices);
+    for (std::uint64_t bits = bitsOf(df, visible); bits != 0; bits &= bits - 1) {
+      const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
+      const std::int32_t pixel = indices[lane];
+      const float fresh = depths[lane], old = tileDepth[pixel];
+      if (fresh < old || (fresh == old && clusters.drawnLater(owners[lane], tileOwner[pixel]))) {
+        tileDepth[pixel] = fresh;
+        tileOwner[pixel] = owners[lane];
+      }
+    }
+  }
+};
+
+/// Where translucent triangles go: all of them are kept that no opaque one hides.
+struct TranslucentTarget : TileTarget {
+  TranslucentTarget(const TileTarget& target, TranslucentTile& kept)
+      : TileTarget(target), translucent(kept)
+  {
+  }
+
+  void noteDrawn(std::uint64_t) const {}
+  void notePieces() const { translucent.notePieces(); }
+
+  template <class D, class V, class M>
+  HWY_INLINE void take(D d, std::size_t sample, std::size_t index, M covered, V depth,
+                       std::uint32_t owner) const
+  {
+    const hn::RebindToUnsigned<D> du;
+    const V zero = hn::Zero(d);
+    const V z = hn::IfThenElse(hn::Gt(depth, zero), depth, zero);
+    const auto inView = hn::And(covered, hn::Le(depth, hn::Set(d, 1.0f)));
+    const auto visible = hn::And(inView, hn::Le(z, hn::Load(d, tile.depth[sample] + index)));
+    if (hn::AllFalse(d, visible)) return;
+    const auto place = hn::Or(hn::ShiftLeft<TranslucentTile::kSampleBits>(
+                                  hn::Iota(du, static_cast<std::uint32_t>(index))),
+                              hn::Set(du, static_cast<std::uint32_t>(sample)));
+    add(d, hn::RebindMask(du, visible), visible, place, hn::Set(du, owner), z);
+  }
+
+  HWY_INLINE void takeEach(std::size_t sample, hn::Mask<hn::ScalableTag<std::int32_t>> covered,
+                           hn::Vec<hn::ScalableTag<float>> z,
+                           hn::Vec<hn::ScalableTag<std::int32_t>> index,
+                           const std::uint32_t* owners) const
+  {
+    const hn::ScalableTag<float> df;
+    const hn::ScalableTag<std::uint32_t> du;
+    const auto zero = hn::Zero(df);
+    const auto near = hn::IfThenElse(hn::Gt(z, zero), z, zero);
+    const auto inView = hn::And(hn::RebindMask(df, covered), hn::Le(z, hn::Set(df, 1.0f)));
+    const auto behind = hn::GatherIndex(df, tile.depth[sample], hn::IfThenElseZero(covered, index));
+    const auto visible = hn::And(inView, hn::Le(near, behind));
+    if (hn::AllFalse(df, visible)) return;
+    const auto place = hn::Or(hn::ShiftLeft<TranslucentTile::kSampleBits>(hn::BitCast(du, index)),
+                              hn::Set(du, static_cast<std::uint32_t>(sample)));
+    add(df, hn::RebindMask(du, visible), visible, place, hn::Load(du, owners), near);
+  }
+
+ private:
+  template <class D, class M, class MU, class VU, class V>
+  HWY_INLINE void add(D d, MU chosen, M visible, VU place, VU owner, V depth) const
+  {
+    const hn::RebindToUnsigned<D> du;
+    hn::CompressStore(place, chosen, du, translucent.placeEnd());
+    hn::CompressStore(owner, chosen, du, translucent.ownerEnd());
+    translucent.grow(hn::CompressStore(depth, visible, d, translucent.depthEnd()));
+  }
+
+ public:
+  TranslucentTile& translucent;
+};
+
 /// Any triangle, block by block, with edge values in double: they stay below 2^50, so every step is
 /// exact.
+template <class Target>
 class LargeTriangle {
  public:
-  LargeTriangle(const OrientedTriangle& triangle, std::uint32_t owner, const TileTarget& target)
+  LargeTriangle(const OrientedTriangle& triangle, std::uint32_t owner, const Target& target)
       : triangle_(triangle),
         owner_(owner),
         target_(target),
@@ -183,7 +284,7 @@ class LargeTriangle {
     if (target_.clusters.scene->optimizations.occlusionCulling &&
         isBehindBlock(static_cast<float>(nearest(at)), target_.offsets.size(), block, target_.tile))
       return;
-    target_.tile.stale |= std::uint64_t{1} << block;
+    target_.noteDrawn(std::uint64_t{1} << block);
     const int firstRow = std::max(box_.y0 - static_cast<int>(y), 0);
     const int lastRow = std::min(box_.y1 - static_cast<int>(y), kBlockSide - 1);
     for (std::size_t s = 0; s < target_.offsets.size(); ++s)
@@ -231,7 +332,7 @@ class LargeTriangle {
         const auto z = hn::Add(hn::Set(df, plane_.z0),
                                hn::Add(hn::Mul(hn::DemoteTo(df, e1), hn::Set(df, plane_.z1)),
                                        hn::Mul(hn::DemoteTo(df, e2), hn::Set(df, plane_.z2))));
-        depthTest(df, target_, sample, index + column, covered, z, owner_);
+        target_.take(df, sample, index + column, covered, z, owner_);
       }
       for (int i = 0; i < 3; ++i)
         first[i] += perRow[i];
@@ -240,7 +341,7 @@ class LargeTriangle {
 
   const OrientedTriangle& triangle_;
   std::uint32_t owner_;
-  const TileTarget& target_;
+  const Target& target_;
   DepthPlane plane_;
   PixelBox box_;
 };
@@ -251,8 +352,9 @@ struct SmallTriangle {
 };
 
 /// A counter-clockwise triangle with a box below kSmallBox, with edge values in int32.
+template <class Target>
 HWY_INLINE void drawSmall(const SmallTriangle& triangle, std::int32_t area, std::uint32_t owner,
-                          const TileTarget& target)
+                          const Target& target)
 {
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
@@ -297,14 +399,15 @@ HWY_INLINE void drawSmall(const SmallTriangle& triangle, std::int32_t area, std:
                                        hn::Mul(hn::ConvertTo(d, e2), hn::Set(d, plane.z2))));
         const auto index = static_cast<std::size_t>((row - target.pixels.y0) * kTileSide +
                                                     (column - target.pixels.x0));
-        depthTest(d, target, s, index, covered, z, owner);
+        target.take(d, s, index, covered, z, owner);
       }
   }
 }
 
 /// drawSmall() of a triangle of any winding.
+template <class Target>
 void drawOriented(SmallTriangle triangle, const Instance& instance, std::uint32_t owner,
-                  const TileTarget& target)
+                  const Target& target)
 {
   const auto &x = triangle.x, &y = triangle.y;
   const std::int32_t area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
@@ -318,15 +421,16 @@ void drawOriented(SmallTriangle triangle, const Instance& instance, std::uint32_
 }
 
 /// Draws one triangle by the general way: clipped pieces, or a box too large for int32.
+template <class Target>
 void drawGeneral(const PlacedCluster& cluster, const ScreenVertices& screen, std::uint32_t triangle,
-                 std::uint32_t owner, const TileTarget& target)
+                 std::uint32_t owner, const Target& target)
 {
   const Instance& instance = *cluster.placed->instance;
   const auto drawPiece = [&](const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
     OrientedTriangle oriented;
     if (!orient(a, b, c, oriented)) return;
     if (oriented.clockwise ? instance.cullBackFaces : instance.cullFrontFaces) return;
-    LargeTriangle(oriented, owner, target).draw();
+    LargeTriangle<Target>(oriented, owner, target).draw();
   };
   const ScreenVertex corner[3] = {screen.vertex(cluster.corner(triangle, 0)),
                                   screen.vertex(cluster.corner(triangle, 1)),
@@ -335,6 +439,7 @@ void drawGeneral(const PlacedCluster& cluster, const ScreenVertices& screen, std
     drawPiece(corner[0], corner[1], corner[2]);
     return;
   }
+  target.notePieces();
   const ClippedTriangle polygon = clipClusterTriangle(cluster, triangle);
   for (int i = 1; i + 1 < polygon.count; ++i)
     drawPiece(polygon.vertex[0], polygon.vertex[i], polygon.vertex[i + 1]);
@@ -342,8 +447,9 @@ void drawGeneral(const PlacedCluster& cluster, const ScreenVertices& screen, std
 
 /// Sets up a vector of triangles at once, drops those that cover no sample of the tile, and draws
 /// the rest.
+template <class Target>
 void drawAnyCluster(const PlacedCluster& cluster, const ScreenVertices& screen, std::uint32_t slot,
-                    const TileTarget& target)
+                    const Target& target)
 {
   const hn::ScalableTag<std::int32_t> d;
   const hn::Rebind<std::uint8_t, decltype(d)> d8;
@@ -383,8 +489,8 @@ void drawAnyCluster(const PlacedCluster& cluster, const ScreenVertices& screen, 
     };
     const auto missX = hn::Gt(firstPixel(minX, target.highest.x, target.pixels.x0),
                               lastPixel(maxX, target.lowest.x, target.pixels.x1 - 1));
-    const auto missY = hn::Gt(firstPixel(minY, target.highest.y, target.pixels.y0),
-                              lastPixel(maxY, target.lowest.y, target.pixels.y1 - 1));
+    const auto missY = hn::Gt(firstPixel(minY, target.highest.y, target.rows.first),
+                              lastPixel(maxY, target.lowest.y, target.rows.end - 1));
 
     const auto width = hn::Sub(maxX, minX), height = hn::Sub(maxY, minY);
     const auto small =
@@ -468,8 +574,6 @@ class VertexTable {
 #endif
 };
 
-constexpr std::int32_t kMaxLanes = HWY_MAX_BYTES / sizeof(std::int32_t);
-
 /// Two 16-bit coordinates in 32 bits: x low, y high.
 constexpr std::int32_t packed(std::int32_t x, std::int32_t y)
 {
@@ -478,11 +582,12 @@ constexpr std::int32_t packed(std::int32_t x, std::int32_t y)
 }
 
 /// A whole cluster below kSmallBox, with vertices relative to its box.
+template <class Target>
 class SmallCluster {
   static_assert(kSmallBox + 2 * kSubpixels < 1 << 15, "coordinates in a cluster fit int16");
 
  public:
-  SmallCluster(const TileCluster& cluster, std::uint32_t slot, const TileTarget& target)
+  SmallCluster(const TileCluster& cluster, std::uint32_t slot, const Target& target)
       : instance_(*cluster.cluster.placed->instance),
         mesh_(cluster.cluster.mesh()),
         bounds_(cluster.bounds),
@@ -591,8 +696,8 @@ class SmallCluster {
     const auto both = [&](std::int32_t x, std::int32_t y)
                           HWY_ATTR { return hn::BitCast(d16, hn::Set(d, packed(x, y))); };
     // Pixels relative to the base. The cluster meets the tile, so all stay far below 16 bits.
-    const auto border0 = both(target_.pixels.x0 - baseX_, target_.pixels.y0 - baseY_);
-    const auto border1 = both(target_.pixels.x1 - 1 - baseX_, target_.pixels.y1 - 1 - baseY_);
+    const auto border0 = both(target_.pixels.x0 - baseX_, target_.rows.first - baseY_);
+    const auto border1 = both(target_.pixels.x1 - 1 - baseX_, target_.rows.end - 1 - baseY_);
     const auto up = both(kSubpixels - 1 - target_.highest.x, kSubpixels - 1 - target_.highest.y);
     const auto down = both(target_.lowest.x, target_.lowest.y);
     const auto one = both(1, 1), seven = both(7, 7);
@@ -681,11 +786,11 @@ class SmallCluster {
     };
     const std::int32_t left = target_.pixels.x0 - baseX_, bottom = target_.pixels.y0 - baseY_;
     const VI fromX = firstPixel(x, target_.highest.x, left);
-    const VI fromY = firstPixel(y, target_.highest.y, bottom);
+    const VI fromY = firstPixel(y, target_.highest.y, target_.rows.first - baseY_);
     const VI spanX = hn::IfThenElseZero(
         drawn, hn::Sub(lastPixel(x, target_.lowest.x, target_.pixels.x1 - 1 - baseX_), fromX));
     const VI spanY = hn::IfThenElseZero(
-        drawn, hn::Sub(lastPixel(y, target_.lowest.y, target_.pixels.y1 - 1 - baseY_), fromY));
+        drawn, hn::Sub(lastPixel(y, target_.lowest.y, target_.rows.end - 1 - baseY_), fromY));
     const VI one = hn::Set(d, 1);
     const VI count = hn::IfThenElseZero(drawn, hn::Mul(hn::Add(spanX, one), hn::Add(spanY, one)));
     const std::int32_t most = hn::GetLane(hn::MaxOfLanes(d, count));
@@ -740,7 +845,7 @@ class SmallCluster {
           const VF v1 = hn::ConvertTo(df, hn::Add(e1, least[1]));
           const VF v2 = hn::ConvertTo(df, hn::Add(e2, least[2]));
           const VF z = hn::Add(z0, hn::Add(hn::Mul(v1, z1), hn::Mul(v2, z2)));
-          commit(s, covered, z, index, owners);
+          target_.takeEach(s, covered, z, index, owners);
         }
         const auto endsRow = hn::Eq(column, zero);
         e0 = hn::Add(e0, hn::IfThenElse(endsRow, toNextRow[0], toNextPixel[0]));
@@ -752,33 +857,6 @@ class SmallCluster {
     }
   }
 
-  /// Gives one sample each of some triangles to them, where they are the nearest.
-  HWY_INLINE void commit(std::size_t sample, hn::Mask<hn::ScalableTag<std::int32_t>> covered, VF z,
-                         VI index, const std::uint32_t* owners) const
-  {
-    const VF zero = hn::Zero(df);
-    float* tileDepth = target_.tile.depth[sample];
-    std::uint32_t* tileOwner = target_.tile.owner[sample];
-    const auto inView = hn::And(hn::RebindMask(df, covered), hn::Le(z, hn::Set(df, 1.0f)));
-    // Samples of hidden triangles end here, without a branch for each that cannot be foreseen.
-    const VF behind = hn::GatherIndex(df, tileDepth, hn::IfThenElseZero(covered, index));
-    const auto visible = hn::And(inView, hn::Le(z, behind));
-    if (hn::AllFalse(df, visible)) return;
-    alignas(64) float depths[kMaxLanes];
-    alignas(64) std::int32_t indices[kMaxLanes];
-    hn::Store(hn::IfThenElse(hn::Gt(z, zero), z, zero), df, depths);
-    hn::Store(index, d, indices);
-    for (std::uint64_t bits = bitsOf(df, visible); bits != 0; bits &= bits - 1) {
-      const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
-      const std::int32_t pixel = indices[lane];
-      const float fresh = depths[lane], old = tileDepth[pixel];
-      if (fresh < old ||
-          (fresh == old && target_.clusters.drawnLater(owners[lane], tileOwner[pixel]))) {
-        tileDepth[pixel] = fresh;
-        tileOwner[pixel] = owners[lane];
-      }
-    }
-  }
   /// Draws one triangle, a vector of pixels at a time.
   void drawMany(std::uint32_t triangle) const
   {
@@ -798,7 +876,7 @@ class SmallCluster {
   const ClusteredMesh& mesh_;
   const ClusterBounds& bounds_;
   std::uint32_t slot_;
-  const TileTarget& target_;
+  const Target& target_;
   std::int32_t baseX_, baseY_;  ///< whole pixels
   alignas(64) std::int32_t packed_[kMaxClusterVertices];
   alignas(64) float depth_[kMaxClusterVertices];
@@ -838,14 +916,15 @@ bool isOccluded(const ClusterBounds& bounds, const BlockRange& blocks, std::size
   return true;
 }
 
-void drawCluster(const TileCluster& cluster, std::uint32_t slot, const TileTarget& target)
+template <class Target>
+void drawCluster(const TileCluster& cluster, std::uint32_t slot, const Target& target)
 {
 #if HWY_TARGET != HWY_SCALAR
   const ClusterBounds& bounds = cluster.bounds;
   constexpr int kSmallPixels = kSmallBox / kSubpixels;
   if (target.clusters.scene->optimizations.smallClusters && bounds.isWhole &&
       bounds.x1 - bounds.x0 < kSmallPixels && bounds.y1 - bounds.y0 < kSmallPixels) {
-    SmallCluster(cluster, slot, target).draw();
+    SmallCluster<Target>(cluster, slot, target).draw();
     return;
   }
 #endif
@@ -871,8 +950,8 @@ void prefetch(const TileCluster& cluster)
     fetch(corner.data() + cluster.bounds.firstTriangle, cluster.bounds.triangleCount);
 }
 
-std::size_t rasterizeTileKernel(const TileClusters& clusters, const TileRectangle& pixels,
-                                int samples, VisibilityTile& tile)
+TileTarget targetOf(const TileClusters& clusters, const TileRectangle& pixels, TileRows rows,
+                    int samples, VisibilityTile& tile)
 {
   const Span<const SampleOffset> offsets = samplePositions(samples);
   SampleOffset lowest = offsets[0], highest = offsets[0];
@@ -880,12 +959,18 @@ std::size_t rasterizeTileKernel(const TileClusters& clusters, const TileRectangl
     lowest = {std::min(lowest.x, offset.x), std::min(lowest.y, offset.y)};
     highest = {std::max(highest.x, offset.x), std::max(highest.y, offset.y)};
   }
-  const TileTarget target = {clusters, pixels, offsets, lowest, highest, tile};
+  return {clusters, pixels, rows, offsets, lowest, highest, tile};
+}
+
+std::size_t rasterizeTileKernel(const TileClusters& clusters, const TileRectangle& pixels,
+                                int samples, VisibilityTile& tile)
+{
+  const OpaqueTarget target(targetOf(clusters, pixels, {pixels.y0, pixels.y1}, samples, tile));
   const bool culls = clusters.scene->optimizations.occlusionCulling;
   const std::size_t count = clusters.list.size();
   const auto isVisible = [&](std::size_t slot) {
     const ClusterBounds& bounds = clusters.list[slot].bounds;
-    return !culls || !isOccluded(bounds, BlockRange(bounds, pixels), offsets.size(), tile);
+    return !culls || !isOccluded(bounds, BlockRange(bounds, pixels), target.offsets.size(), tile);
   };
   // The next cluster's data comes from memory while one is drawn.
   const auto nextVisible = [&](std::size_t slot) {
@@ -898,11 +983,29 @@ std::size_t rasterizeTileKernel(const TileClusters& clusters, const TileRectangl
   for (std::size_t slot = nextVisible(0); slot < count;) {
     const std::size_t next = nextVisible(slot + 1);
     drawCluster(clusters.list[slot], static_cast<std::uint32_t>(slot), target);
-    tile.stale |= BlockRange(clusters.list[slot].bounds, pixels).mask();
+    target.noteDrawn(BlockRange(clusters.list[slot].bounds, pixels).mask());
     ++drawn;
     slot = next;
   }
   return count - drawn;
+}
+
+void rasterizeTranslucentKernel(const TileClusters& clusters, std::size_t firstSlot,
+                                const TileRectangle& pixels, TileRows rows, int samples,
+                                VisibilityTile& tile, TranslucentTile& translucent)
+{
+  static_assert(kMaxLanes <= static_cast<std::int32_t>(TranslucentTile::kMostMixed),
+                "as many triangles as there are lanes come mixed");
+  const TranslucentTarget target(targetOf(clusters, pixels, rows, samples, tile), translucent);
+  const bool culls = clusters.scene->optimizations.occlusionCulling;
+  for (std::size_t slot = firstSlot; slot < clusters.list.size(); ++slot) {
+    const ClusterBounds& bounds = clusters.list[slot].bounds;
+    if (bounds.y1 <= rows.first || bounds.y0 >= rows.end) continue;
+    if (culls && isOccluded(bounds, BlockRange(bounds, pixels), target.offsets.size(), tile))
+      continue;
+    drawCluster(clusters.list[slot], static_cast<std::uint32_t>(slot), target);
+    if (translucent.isOverfull()) return;
+  }
 }
 
 }  // namespace limn::HWY_NAMESPACE

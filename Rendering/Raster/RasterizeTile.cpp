@@ -3,6 +3,7 @@
 #include "Rendering/Raster/VisibilityTile.h"
 
 #include "Rendering/Raster/EdgeFunction.h"
+#include "Rendering/Raster/TranslucentTile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,6 +23,7 @@
 namespace limn {
 
 HWY_EXPORT(rasterizeTileKernel);
+HWY_EXPORT(rasterizeTranslucentKernel);
 
 bool TileClusters::drawnLater(std::uint32_t fresh, std::uint32_t old) const
 {
@@ -47,8 +49,25 @@ void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
   }
 }
 
-void orderClusters(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
-                   std::vector<TileCluster>& ordered)
+namespace {
+
+/// A counting sort; the order within a bucket is of no account.
+template <int kBuckets, class Entry, class Bucket>
+void sortByBucket(Span<const std::uint32_t> list, std::vector<TileCluster>& ordered, Entry entry,
+                  Bucket bucket)
+{
+  std::uint32_t next[kBuckets + 1] = {};
+  for (const std::uint32_t c : list)
+    ++next[bucket(c) + 1];
+  std::partial_sum(next, next + kBuckets, next);
+  for (const std::uint32_t c : list)
+    ordered[next[bucket(c)]++] = entry(c);
+}
+
+}  // namespace
+
+std::size_t orderClusters(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+                          std::vector<TileCluster>& ordered)
 {
   const Span<const std::uint32_t> list = bins.clustersOf(tile);
   const auto entry = [&](std::uint32_t c) -> TileCluster {
@@ -58,31 +77,49 @@ void orderClusters(const PlacedScene& scene, const TileBins& bins, std::size_t t
   ordered.resize(list.size());
   if (!scene.optimizations.occlusionCulling) {
     std::transform(list.begin(), list.end(), ordered.begin(), entry);
-    return;
+  } else {
+    constexpr int kBuckets = 256;
+    float low = std::numeric_limits<float>::max(), high = -low;
+    for (const std::uint32_t c : list) {
+      low = std::min(low, bins.bounds[c].nearest);
+      high = std::max(high, bins.bounds[c].nearest);
+    }
+    const float scale = high > low ? (kBuckets - 1) / (high - low) : 0.0f;
+    const auto bucket = [&](std::uint32_t c) {
+      return static_cast<std::size_t>((bins.bounds[c].nearest - low) * scale);
+    };
+    if (scene.hasTranslucent) {
+      // These behind the others, and the farthest first, as they are blended.
+      sortByBucket<2 * kBuckets>(list, ordered, entry, [&](std::uint32_t c) {
+        const PlacedInstance& placed = scene.instances[scene.instanceOf(c)];
+        return placed.instance->isTranslucent() ? 2 * kBuckets - 1 - bucket(c) : bucket(c);
+      });
+    } else {
+      sortByBucket<kBuckets>(list, ordered, entry, bucket);
+    }
   }
-  // A counting sort; the order within a bucket is of no account.
-  constexpr int kBuckets = 256;
-  float low = std::numeric_limits<float>::max(), high = -low;
-  for (const std::uint32_t c : list) {
-    low = std::min(low, bins.bounds[c].nearest);
-    high = std::max(high, bins.bounds[c].nearest);
-  }
-  const float scale = high > low ? (kBuckets - 1) / (high - low) : 0.0f;
-  const auto bucket = [&](std::uint32_t c) {
-    return static_cast<std::size_t>((bins.bounds[c].nearest - low) * scale);
+  if (!scene.hasTranslucent) return ordered.size();
+  const auto isOpaque = [](const TileCluster& cluster) {
+    return !cluster.cluster.placed->instance->isTranslucent();
   };
-  std::uint32_t next[kBuckets + 1] = {};
-  for (const std::uint32_t c : list)
-    ++next[bucket(c) + 1];
-  std::partial_sum(next, next + kBuckets, next);
-  for (const std::uint32_t c : list)
-    ordered[next[bucket(c)]++] = entry(c);
+  const auto firstTranslucent = scene.optimizations.occlusionCulling
+                                    ? std::partition_point(ordered.begin(), ordered.end(), isOpaque)
+                                    : std::partition(ordered.begin(), ordered.end(), isOpaque);
+  return static_cast<std::size_t>(firstTranslucent - ordered.begin());
 }
 
 std::size_t rasterizeTile(const TileClusters& clusters, const TileRectangle& pixels, int samples,
                           VisibilityTile& tile)
 {
   return HWY_DYNAMIC_DISPATCH(rasterizeTileKernel)(clusters, pixels, samples, tile);
+}
+
+void rasterizeTranslucent(const TileClusters& clusters, std::size_t firstSlot,
+                          const TileRectangle& pixels, TileRows rows, int samples,
+                          VisibilityTile& tile, TranslucentTile& translucent)
+{
+  HWY_DYNAMIC_DISPATCH(rasterizeTranslucentKernel)
+  (clusters, firstSlot, pixels, rows, samples, tile, translucent);
 }
 
 }  // namespace limn

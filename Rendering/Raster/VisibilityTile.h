@@ -63,9 +63,10 @@ struct alignas(64) VisibilityTile {
 void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
                VisibilityTile& tile);
 
-/// Lists a tile's clusters, roughly from front to back if occlusion culling is on.
-void orderClusters(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
-                   std::vector<TileCluster>& ordered);
+/// Lists a tile's clusters, first those of opaque instances, roughly from front to back if
+/// occlusion culling is on, then those of translucent ones. Returns how many are opaque.
+std::size_t orderClusters(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+                          std::vector<TileCluster>& ordered);
 
 /// Finds for each sample the nearest triangle: smallest depth, then latest in draw order; so the
 /// order of clusters and triangles does not matter. Returns how many clusters were left out because

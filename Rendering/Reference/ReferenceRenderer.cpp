@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/ResolveTable.h"
 #include "Rendering/Base/SamplePositions.h"
+#include "Rendering/Base/TranslucencyBound.h"
 #include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Reference/ReferenceShading.h"
 #include "Rendering/Vertex/ClipTriangle.h"
@@ -12,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -86,6 +88,11 @@ struct Owner {
   std::uint32_t triangle = 0;
 
   bool operator==(const Owner& o) const { return instance == o.instance && triangle == o.triangle; }
+  /// In draw order.
+  bool operator<(const Owner& o) const
+  {
+    return instance != o.instance ? instance < o.instance : triangle < o.triangle;
+  }
   bool exists() const { return instance != kNobody; }
 };
 
@@ -93,6 +100,11 @@ struct Sample {
   float depth;
   Owner owner;
 };
+
+bool isNearer(const Sample& a, const Sample& b)
+{
+  return a.depth != b.depth ? a.depth < b.depth : b.owner < a.owner;
+}
 
 /// A triangle in a pixel, and how many of the pixel's samples show it.
 struct SeenTriangle {
@@ -285,10 +297,31 @@ class Picture {
   void findVisible()
   {
     for (std::uint32_t i = 0; i < placed_.size(); ++i)
-      for (std::uint32_t t = 0; t < placed_[i].instance().mesh.triangles.size(); ++t)
-        if (placed_[i].drawable(t))
-          for (const ScreenTriangle& piece : placed_[i].screenTriangles(t))
-            draw(piece, {i, t});
+      if (!placed_[i].instance().isTranslucent()) drawInstance(i);
+  }
+
+  /// Requires: findVisible(). Returns the number of truncated pixels.
+  std::size_t findTranslucent()
+  {
+    bool isAny = false;
+    for (const PlacedInstance& placed : placed_)
+      isAny = isAny || placed.instance().isTranslucent();
+    if (!isAny) return 0;
+    layers_.resize(samples_.size());
+    for (std::uint32_t i = 0; i < placed_.size(); ++i)
+      if (placed_[i].instance().isTranslucent()) drawInstance(i);
+    const std::size_t truncated = truncate();
+    for (std::vector<Sample>& layers : layers_) {
+      std::sort(layers.begin(), layers.end(), isNearer);
+      // A clipped triangle whose pieces rounding has laid over each other counts once.
+      std::vector<Sample> once;
+      for (const Sample& layer : layers)
+        if (std::none_of(once.begin(), once.end(),
+                         [&](const Sample& other) { return other.owner == layer.owner; }))
+          once.push_back(layer);
+      layers.assign(once.rbegin(), once.rend());
+    }
+    return truncated;
   }
 
   void shadeAll()
@@ -306,14 +339,28 @@ class Picture {
                               static_cast<std::size_t>(x);
     return samples_[pixel * offsets_.size() + s];
   }
+  /// Translucent triangles in a sample, in the end without repetition and farthest first.
+  std::vector<Sample>& layers(int x, int y, std::size_t s)
+  {
+    return layers_[static_cast<std::size_t>(&sample(x, y, s) - samples_.data())];
+  }
   Point position(int x, int y, SampleOffset offset) const
   {
     return {static_cast<std::int64_t>(x) * kSubpixels + offset.x,
             static_cast<std::int64_t>(y) * kSubpixels + offset.y};
   }
 
+  void drawInstance(std::uint32_t i)
+  {
+    for (std::uint32_t t = 0; t < placed_[i].instance().mesh.triangles.size(); ++t)
+      if (placed_[i].drawable(t))
+        for (const ScreenTriangle& piece : placed_[i].screenTriangles(t))
+          draw(piece, {i, t});
+  }
+
   void draw(const ScreenTriangle& triangle, Owner owner)
   {
+    const bool isTranslucent = placed_[owner.instance].instance().isTranslucent();
     const auto [left, right] =
         std::minmax({triangle.vertex[0].x, triangle.vertex[1].x, triangle.vertex[2].x});
     const auto [bottom, top] =
@@ -331,27 +378,70 @@ class Picture {
           if (z > 1.0f) continue;
           const float depth = z > 0.0f ? z : 0.0f;
           // Less or equal: of equal depths the triangle drawn later is seen.
-          if (depth <= sample(x, y, s).depth) sample(x, y, s) = {depth, owner};
+          if (depth > sample(x, y, s).depth) continue;
+          if (isTranslucent)
+            layers(x, y, s).push_back({depth, owner});
+          else
+            sample(x, y, s) = {depth, owner};
         }
+  }
+
+  /// Rows of 64 pixels with too many layers keep the nearest; see kMaxTranslucentSamples.
+  std::size_t truncate()
+  {
+    std::size_t pixels = 0;
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x0 = 0; x0 < frame_.width; x0 += kTranslucentRowPixels) {
+        const int x1 = std::min(x0 + kTranslucentRowPixels, frame_.width);
+        std::size_t count = 0;
+        for (int x = x0; x < x1; ++x)
+          for (std::size_t s = 0; s < offsets_.size(); ++s)
+            count += layers(x, y, s).size();
+        for (int x = x0; count > kMaxTranslucentSamples && x < x1; ++x)
+          pixels += truncatePixel(x, y) ? 1 : 0;
+      }
+    return pixels;
+  }
+
+  bool truncatePixel(int x, int y)
+  {
+    const std::size_t most = translucentLayersKept(scene_.samples);
+    bool isTruncated = false;
+    for (std::size_t s = 0; s < offsets_.size(); ++s) {
+      std::vector<Sample>& all = layers(x, y, s);
+      if (all.size() <= most) continue;
+      std::sort(all.begin(), all.end(), isNearer);
+      all.resize(most);
+      isTruncated = true;
+    }
+    return isTruncated;
   }
 
   /// Where in the pixel an owner is shaded: at the centre if it has all samples, which surround the
   /// centre, else at its first sample; so never outside the triangle.
-  SampleOffset shadingOffset(int x, int y, Owner owner)
+  SampleOffset shadingOffset(const std::vector<bool>& coverage) const
   {
-    std::size_t first = offsets_.size(), count = 0;
-    for (std::size_t s = 0; s < offsets_.size(); ++s)
-      if (sample(x, y, s).owner == owner) {
-        first = std::min(first, s);
-        ++count;
-      }
-    return count == offsets_.size() ? kPixelCentre : offsets_[first];
+    const auto first = std::find(coverage.begin(), coverage.end(), true);
+    const bool isWhole = std::find(first, coverage.end(), false) == coverage.end();
+    return isWhole && first == coverage.begin()
+               ? kPixelCentre
+               : offsets_[static_cast<std::size_t>(first - coverage.begin())];
   }
 
   Vec3f shadeOwner(int x, int y, Owner owner)
   {
+    std::vector<bool> coverage;
+    for (std::size_t s = 0; s < offsets_.size(); ++s)
+      coverage.push_back(sample(x, y, s).owner == owner);
+    const SurfacePoint point = pointOf(x, y, shadingOffset(coverage), owner);
     const PlacedInstance& placed = placed_[owner.instance];
-    const Point p = position(x, y, shadingOffset(x, y, owner));
+    return shade(scene_, placed.instance(), placed.transform(), placed.origin(), lights_, point);
+  }
+
+  SurfacePoint pointOf(int x, int y, SampleOffset offset, Owner owner) const
+  {
+    const Point p = position(x, y, offset);
+    const PlacedInstance& placed = placed_[owner.instance];
     const auto pieces = placed.screenTriangles(owner.triangle);
     // The pieces of a clipped triangle are watertight but for rounding at their outer border.
     auto piece = std::find_if(pieces.begin(), pieces.end(),
@@ -360,16 +450,116 @@ class Picture {
     SurfacePoint point = surfacePoint(*piece, owner.triangle, placed.transform().mirrored, p);
     point.pixelX = x;
     point.pixelY = y;
-    return shade(scene_, placed.instance(), placed.transform(), placed.origin(), lights_, point);
+    return point;
+  }
+
+  /// Colours and alphas of the translucent triangles in a pixel.
+  std::map<Owner, Vec4f> shadeLayers(int x, int y)
+  {
+    std::map<Owner, std::vector<bool>> coverage;
+    for (std::size_t s = 0; s < offsets_.size(); ++s)
+      for (const Sample& layer : layers(x, y, s)) {
+        coverage[layer.owner].resize(offsets_.size());
+        coverage[layer.owner][s] = true;
+      }
+    std::map<Owner, Vec4f> colors;
+    for (const auto& [owner, samples] : coverage) {
+      const PlacedInstance& placed = placed_[owner.instance];
+      const SurfacePoint point = pointOf(x, y, shadingOffset(samples), owner);
+      const Vec3f c =
+          shade(scene_, placed.instance(), placed.transform(), placed.origin(), lights_, point);
+      const float a =
+          alphaAt(scene_, placed.instance(), placed.transform(), placed.origin(), point);
+      colors[owner] = {radiance(c.x), radiance(c.y), radiance(c.z), a};
+    }
+    return colors;
+  }
+
+  bool hasLayers(int x, int y)
+  {
+    for (std::size_t s = 0; !layers_.empty() && s < offsets_.size(); ++s)
+      if (!layers(x, y, s).empty()) return true;
+    return false;
+  }
+
+  /// The colours of a pixel with translucent triangles.
+  void resolveLayers(int x, int y)
+  {
+    const std::ptrdiff_t index = frameIndex(x, y);
+    const RadianceView& planes = frame_.radiance;
+    const bool hasRadiance = !planes.empty();
+    const std::map<Owner, Vec4f> shaded = shadeLayers(x, y);
+    std::vector<Rgba8> colors;
+    Vec3f sum = {0, 0, 0};
+    std::uint32_t coverage = 0;
+    for (std::size_t s = 0; s < offsets_.size(); ++s) {
+      const Owner owner = sample(x, y, s).owner;
+      const std::vector<Sample>& above = layers(x, y, s);
+      Rgba8 color = {0, 0, 0, 0};
+      Vec3f bright = {0, 0, 0};
+      if (owner.exists()) {
+        const Vec3f c = shadeOwner(x, y, owner);
+        color = {toByte(c.x), toByte(c.y), toByte(c.z), 255};
+        bright = {radiance(c.x), radiance(c.y), radiance(c.z)};
+      } else if (frame_.background == Background::kBlend) {
+        color = frame_.color[index];
+        if (hasRadiance) bright = {planes.r[index], planes.g[index], planes.b[index]};
+      } else if (above.empty()) {
+        continue;
+      }
+      Vec4f below = {static_cast<float>(color.r) / 255.0f, static_cast<float>(color.g) / 255.0f,
+                     static_cast<float>(color.b) / 255.0f, static_cast<float>(color.a) / 255.0f};
+      for (const Sample& layer : above) {
+        const Vec4f c = shaded.at(layer.owner);
+        const float a = c.w;
+        const Vec4f full = {std::min(c.x, 1.0f), std::min(c.y, 1.0f), std::min(c.z, 1.0f), 1.0f};
+        below = full * a + below * (1.0f - a);
+        bright = Vec3f{c.x, c.y, c.z} * a + bright * (1.0f - a);
+      }
+      colors.push_back({toByte(below.x), toByte(below.y), toByte(below.z), toByte(below.w)});
+      sum = sum + bright;
+      if (owner.exists() || !above.empty()) coverage |= 1u << s;
+    }
+    frame_.color[index] = meanColor(colors, scene_.resolve);
+    if (frame_.coverage != nullptr) frame_.coverage[index] = static_cast<std::uint8_t>(coverage);
+    if (!hasRadiance) return;
+    const auto count = static_cast<float>(colors.size());
+    planes.r[index] = sum.x / count;
+    planes.g[index] = sum.y / count;
+    planes.b[index] = sum.z / count;
   }
 
   void resolve(int x, int y)
   {
+    const Sample* nearest = nullptr;
+    for (std::size_t s = 0; s < offsets_.size(); ++s) {
+      const Sample& here = sample(x, y, s);
+      if (here.owner.exists() && (nearest == nullptr || isNearer(here, *nearest))) nearest = &here;
+    }
+    if (hasLayers(x, y))
+      resolveLayers(x, y);
+    else if (nearest != nullptr)
+      resolveOpaque(x, y);
+    if (nearest != nullptr) writeNearest(*nearest, frameIndex(x, y));
+  }
+
+  void writeNearest(const Sample& nearest, std::ptrdiff_t index)
+  {
+    frame_.depth[index] = nearest.depth;
+    const Instance& instance = placed_[nearest.owner.instance].instance();
+    if (frame_.instance != nullptr) frame_.instance[index] = instance.id;
+    if (frame_.cell != nullptr)
+      frame_.cell[index] = instance.attributes.cells.empty()
+                               ? nearest.owner.triangle
+                               : instance.attributes.cells[nearest.owner.triangle];
+  }
+
+  void resolveOpaque(int x, int y)
+  {
     const std::ptrdiff_t index = frameIndex(x, y);
     std::vector<Rgba8> colors;
     std::vector<SeenTriangle> triangles;
-    std::uint8_t coverage = 0;
-    const Sample* nearest = nullptr;
+    std::uint32_t coverage = 0;
     for (std::size_t s = 0; s < offsets_.size(); ++s) {
       const Sample& here = sample(x, y, s);
       if (!here.owner.exists()) {
@@ -379,22 +569,11 @@ class Picture {
       const Vec3f color = shadeOwner(x, y, here.owner);
       colors.push_back({toByte(color.x), toByte(color.y), toByte(color.z), 255});
       note(triangles, here.owner, color);
-      coverage = static_cast<std::uint8_t>(coverage | (1u << s));
-      if (nearest == nullptr || here.depth < nearest->depth ||
-          (here.depth == nearest->depth && drawnLater(here.owner, nearest->owner)))
-        nearest = &here;
+      coverage |= 1u << s;
     }
-    if (nearest == nullptr) return;
     frame_.color[index] = meanColor(colors, scene_.resolve);
     if (!frame_.radiance.empty()) writeRadiance(triangles, index);
-    frame_.depth[index] = nearest->depth;
-    if (frame_.coverage != nullptr) frame_.coverage[index] = coverage;
-    const Instance& instance = placed_[nearest->owner.instance].instance();
-    if (frame_.instance != nullptr) frame_.instance[index] = instance.id;
-    if (frame_.cell != nullptr)
-      frame_.cell[index] = instance.attributes.cells.empty()
-                               ? nearest->owner.triangle
-                               : instance.attributes.cells[nearest->owner.triangle];
+    if (frame_.coverage != nullptr) frame_.coverage[index] = static_cast<std::uint8_t>(coverage);
   }
 
   static void note(std::vector<SeenTriangle>& triangles, Owner owner, Vec3f color)
@@ -428,26 +607,24 @@ class Picture {
     out.b[index] = sum.z / count;
   }
 
-  static bool drawnLater(Owner a, Owner b)
-  {
-    return a.instance != b.instance ? a.instance > b.instance : a.triangle > b.triangle;
-  }
-
   const Scene& scene_;
   const FrameView& frame_;
   Span<const SampleOffset> offsets_;
   std::vector<ViewLight> lights_;
   std::vector<PlacedInstance> placed_;
   std::vector<Sample> samples_;
+  std::vector<std::vector<Sample>> layers_;  ///< empty if nothing is translucent
 };
 
 }  // namespace
 
-void render(const Scene& scene, const FrameView& frame)
+std::size_t render(const Scene& scene, const FrameView& frame)
 {
   Picture picture(scene, frame);
   picture.findVisible();
+  const std::size_t truncated = picture.findTranslucent();
   picture.shadeAll();
+  return truncated;
 }
 
 }  // namespace limn::reference

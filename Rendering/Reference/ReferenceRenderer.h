@@ -5,11 +5,14 @@
 #include "Rendering/FrameView.h"
 #include "Rendering/Scene.h"
 
+#include <cstddef>
+
 namespace limn::reference {
 
 /// Draws the scene by the shortest obvious scalar code: every triangle against every pixel of its
 /// box, then the light equations as the chapter prints them. The oracle for the pipeline.
 /// Requires: a scene and frame that checkScene() accepted, with MeshView triangles.
-void render(const Scene& scene, const FrameView& frame);
+/// Returns RenderStats::truncatedPixels.
+std::size_t render(const Scene& scene, const FrameView& frame);
 
 }  // namespace limn::reference

@@ -423,6 +423,23 @@ class Face {
     return hasVertexColors() ? bytes(instance_.attributes.vertexColors[triangle_.vertex[i]])
                              : bytes(instance_.attributes.cellColors[cell_]);
   }
+  /// Of data and textures, as Style::readsAlpha says.
+  float alpha() const
+  {
+    float alpha = 1.0f;
+    if (hasVertexColors())
+      alpha = ((cornerAlpha(0) * point_.weight[0] + cornerAlpha(1) * point_.weight[1]) +
+               cornerAlpha(2) * point_.weight[2]) /
+              255.0f;
+    else if (hasCellColors())
+      alpha = static_cast<float>(instance_.attributes.cellColors[cell_].a) / 255.0f;
+    for (const TextureLayer& layer : instance_.layers) {
+      if (layer.join != TextureJoin::kNone || !layer.setsAlpha() || !shows(layer)) continue;
+      const float texture = sampleJoined(layer).w;
+      alpha = layer.mode == TextureMode::kReplace ? texture : alpha * texture;
+    }
+    return alpha;
+  }
   Vec3f pixelColor() const
   {
     return hasVertexColors() ? mix(point_, cornerColor(0), cornerColor(1), cornerColor(2))
@@ -440,6 +457,10 @@ class Face {
   }
 
  private:
+  float cornerAlpha(int i) const
+  {
+    return static_cast<float>(instance_.attributes.vertexColors[triangle_.vertex[i]].a);
+  }
   Span<const Vec2f> uvOf(const TextureLayer& layer) const
   {
     return layer.uvSet == 0 ? instance_.attributes.uv : instance_.attributes.uv2;
@@ -580,6 +601,15 @@ Vec3f runSurfaceShader(const Face& face, const SurfacePoint& point, const Surfac
 }
 
 }  // namespace
+
+float alphaAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+              Vec3d meshOrigin, const SurfacePoint& point)
+{
+  float alpha = instance.material.opacity;
+  if (instance.style.readsAlpha)
+    alpha = alpha * Face(scene, instance, transform, meshOrigin, point).alpha();
+  return alpha > 0.0f ? (alpha < 1.0f ? alpha : 1.0f) : 0.0f;
+}
 
 Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
             Vec3d meshOrigin, const std::vector<ViewLight>& lights, const SurfacePoint& point)

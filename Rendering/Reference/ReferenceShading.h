@@ -19,6 +19,10 @@ struct SurfacePoint {
   int pixelX, pixelY;
 };
 
+/// The alpha of a visible point by the instance's opacity, colours and textures, 0 to 1.
+float alphaAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+              Vec3d meshOrigin, const SurfacePoint& point);
+
 /// The colour of a visible point by the instance's style, before clamping and rounding.
 Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
             Vec3d meshOrigin, const std::vector<ViewLight>& lights, const SurfacePoint& point);

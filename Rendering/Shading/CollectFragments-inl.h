@@ -94,7 +94,7 @@ void collectSeveral(const VisibilityTile& tile, int samples, int row, std::uint6
     for (int s = 0; s < samples; ++s) {
       const std::uint32_t owner = tile.owner[s][pixel];
       if (owner == kNobody) continue;
-      const auto bit = static_cast<std::uint8_t>(1u << s);
+      const auto bit = static_cast<std::uint16_t>(1u << s);
       std::size_t f = first;
       while (f < fragments.count && fragments.owner[f] != owner)
         ++f;
@@ -104,7 +104,7 @@ void collectSeveral(const VisibilityTile& tile, int samples, int row, std::uint6
         fragments.coverage[f] = bit;
         ++fragments.count;
       } else {
-        fragments.coverage[f] = static_cast<std::uint8_t>(fragments.coverage[f] | bit);
+        fragments.coverage[f] = static_cast<std::uint16_t>(fragments.coverage[f] | bit);
       }
     }
   }

@@ -48,7 +48,7 @@ void FragmentList::breakRuns(std::size_t triangle, int samples)
     for (int i = 0; i < run[r].length; ++i) {
       owner[count] = triangleOwner[triangle];
       pixel[count] = static_cast<std::uint32_t>(run[r].pixel + i);
-      coverage[count++] = static_cast<std::uint8_t>((1u << samples) - 1u);
+      coverage[count++] = static_cast<std::uint16_t>((1u << samples) - 1u);
     }
     run[r].length = 0;
   }

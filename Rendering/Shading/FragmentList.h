@@ -29,7 +29,7 @@ struct FragmentList {
   std::size_t count = 0;       ///< of fragments
   Array<std::uint32_t> owner;  ///< TileOwner
   Array<std::uint32_t> pixel;  ///< row * kTileSide + column, within the tile
-  Array<std::uint8_t>
+  Array<std::uint16_t>
       coverage;  ///< bit s set: sample s shows it; not filled with one sample a pixel
 
   std::size_t runCount = 0;

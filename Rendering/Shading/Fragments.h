@@ -6,6 +6,7 @@
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Shading/FragmentList.h"
 #include "Rendering/SurfaceShader.h"
+#include "Rendering/Shading/TranslucentFragments.h"
 
 #include <cstdint>
 #include <vector>
@@ -47,13 +48,15 @@ struct alignas(64) FragmentBatch {
   Vectors viewCorner[3];              ///< only if the mesh has low parts
   Vectors edge[2];                    ///< likewise: from corner 0 to the others, local
   // By what the instance's style and attributes are:
-  Vectors cornerNormal[3];  ///< local; [0] alone for normals of a cell
-  Vectors cornerColor[3];   ///< 0 ... 255; [0] alone for colours of a cell
-  Pairs cornerUv[2][3];     ///< by UvUse::set
-  Vectors facePosition;     ///< where it is lit, in view space; for flat frequency
-  Vectors faceNormal;       ///< local; for flat frequency
-  Vectors color;            ///< the result, before clamping
-  int count = 0;            ///< last, so that every array starts at a multiple of 64 bytes
+  Vectors cornerNormal[3];          ///< local; [0] alone for normals of a cell
+  Vectors cornerColor[3];           ///< 0 ... 255; [0] alone for colours of a cell
+  float cornerAlpha[3][kCapacity];  ///< likewise; only with Style::readsAlpha
+  Pairs cornerUv[2][3];             ///< by UvUse::set
+  Vectors facePosition;             ///< where it is lit, in view space; for flat frequency
+  Vectors faceNormal;               ///< local; for flat frequency
+  Vectors color;                    ///< the result, before clamping
+  float alpha[kCapacity];           ///< by fadeFragments()
+  int count = 0;                    ///< last, so that every array starts at a multiple of 64 bytes
 };
 
 /// Colours before they are clamped to bytes, one array a channel; 0 to kMaxRadiance.
@@ -97,8 +100,19 @@ class FragmentShader {
   /// Lists runs that it does not serve as fragments.
   void shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
              FragmentList& fragments, TileColors& colors);
+  void shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
+             TranslucentFragments& fragments);
 
  private:
+  /// Fragments in any order, their coverage not read with one sample a pixel.
+  struct Places {
+    Span<const std::uint32_t> owner, pixel;
+    const std::uint16_t* coverage;
+  };
+  /// Lights the fragments in `batch_` and calls keep(placed, numbers) for each batch.
+  template <class Keep>
+  void forEachLit(const TileClusters& clusters, const TileRectangle& pixels, int samples,
+                  const Places& places, Keep keep);
   /// Calls shade(placed, numbers) for batches of one instance, with their owners in `batch_`, until
   /// each owner has had its turn. `numbers` say which owners.
   template <class Shade>
@@ -140,6 +154,13 @@ void placeFragments(const InstanceTransform& transform, const TileRectangle& pix
                     FragmentBatch& batch);
 /// Fills `color` by the instance's style.
 void lightFragments(const ShadingContext& context, FragmentBatch& batch);
+/// Fills `alpha` by the instance's opacity, colours and textures; 0 to 1.
+void fadeFragments(const ShadingContext& context, FragmentBatch& batch);
+/// Shades a batch of runs, one for each of `numbers`, but for those of triangles that have to be
+/// clipped. Requires: as shadeTriangles().
+void shadeRuns(const ShadingContext& context, const TileRectangle& pixels, int samples,
+               Span<const std::uint32_t> numbers, const FragmentBatch& batch,
+               TranslucentFragments& fragments);
 /// Shades the runs of a batch of triangles, one for each of `numbers`, but for those that have to
 /// be clipped. Requires: gatherFragments() or the like, and placeFragments().
 void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,

@@ -150,6 +150,25 @@ class FragmentLanes {
   bool colored() const { return vertexColored() || !instance_.attributes.cellColors.empty(); }
   bool vertexColored() const { return !instance_.attributes.vertexColors.empty(); }
 
+  /// Style::readsAlpha says how; not yet times the opacity.
+  V alpha() const
+  {
+    V alpha = set(1.0f);
+    if (colored()) {
+      const auto corner = [&](int k) HWY_ATTR { return lanes_.value(batch_.cornerAlpha[k]); };
+      const auto part = [&](int k) HWY_ATTR { return hn::Mul(corner(k), weight(k)); };
+      alpha = hn::Div(vertexColored() ? hn::Add(hn::Add(part(0), part(1)), part(2)) : corner(0),
+                      set(255.0f));
+    }
+    for (const TextureLayer& layer : instance_.layers) {
+      if (layer.join != TextureJoin::kNone || !layer.setsAlpha()) continue;
+      const V texture = sampleJoined(layer).w;
+      const V next = layer.mode == TextureMode::kReplace ? texture : hn::Mul(alpha, texture);
+      alpha = layer.onBackFaces ? next : hn::IfThenElse(isPositive(side_), next, alpha);
+    }
+    return alpha;
+  }
+
   /// The texture's colour.
   Lanes4 sample(const TextureLayer& layer) const
   {
@@ -340,6 +359,18 @@ class Shader {
            !(style_.outlineThreshold > 0.0f) && layers_.empty();
   }
 
+  /// Material::opacity times what Style::readsAlpha asks for; 0 to 1.
+  HWY_INLINE V alphaAt(const CornerWeights& weights, float opacity)
+  {
+    V alpha = set(opacity);
+    if (style_.readsAlpha) {
+      lanes_.setWeights(weights);
+      alpha = hn::Mul(alpha, lanes_.alpha());
+    }
+    const V one = set(1.0f), bounded = hn::IfThenElse(hn::Lt(alpha, one), alpha, one);
+    return hn::IfThenElseZero(isPositive(alpha), bounded);
+  }
+
   /// Requires: lightCorners() if needsCorners().
   HWY_INLINE Lanes3 colorAt(const CornerWeights& weights)
   {
@@ -440,13 +471,14 @@ class Shader {
   Lanes3 lit_[3] = {none(), none(), none()};
 };
 
-CornerWeights weightsOf(const FragmentBatch& batch, std::size_t i)
+/// Of the fragments from `first` on.
+CornerWeights weightsOf(const FragmentBatch& batch, std::size_t first)
 {
   CornerWeights weights;
   for (int k = 0; k < 3; ++k) {
-    weights.here[k] = batch.weight[k] + i;
-    weights.right[k] = batch.rightWeight[k] + i;
-    weights.above[k] = batch.aboveWeight[k] + i;
+    weights.here[k] = batch.weight[k] + first;
+    weights.right[k] = batch.rightWeight[k] + first;
+    weights.above[k] = batch.aboveWeight[k] + first;
   }
   return weights;
 }
@@ -459,6 +491,17 @@ void lightFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
     Shader<BatchLanes> shader(lighting, context, batch, BatchLanes(i));
     if (shader.needsCorners()) shader.lightCorners();
     store(shader.colorAt(weightsOf(batch, i)), batch.color, i);
+  }
+}
+
+void fadeFragmentsKernel(const ShadingContext& context, FragmentBatch& batch)
+{
+  const float opacity = context.placed->instance->material.opacity;
+  const auto count = static_cast<std::size_t>(batch.count);
+  const Lighting lighting(context);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
+    Shader<BatchLanes> shader(lighting, context, batch, BatchLanes(i));
+    hn::Store(shader.alphaAt(weightsOf(batch, i), opacity), D(), batch.alpha + i);
   }
 }
 
@@ -590,6 +633,24 @@ class TriangleWeights {
     }
   }
 
+  /// At points of the tile in subpixels.
+  void weighPoints(const std::int32_t* x, const std::int32_t* y, std::size_t count,
+                   float (&weight)[3][TriangleFragments::kRoom]) const
+  {
+    const hn::ScalableTag<double> d;
+    const hn::Rebind<float, decltype(d)> df;
+    const hn::Rebind<std::int32_t, decltype(d)> di;
+    const double perSubpixel = 1.0 / kSubpixels;
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+      // In pixels from the first one's centre: all steps are exact.
+      const auto pixels = [&](const std::int32_t* from, std::int32_t centre) HWY_ATTR {
+        const auto way = hn::Sub(hn::Load(di, from + i), hn::Set(di, centre));
+        return hn::Mul(hn::PromoteTo(d, way), hn::Set(d, perSubpixel));
+      };
+      storeWeights(pixels(x, kPixelCentre.x), pixels(y, kPixelCentre.y), weight, i, df);
+    }
+  }
+
   void weigh(TriangleFragments& fragments, bool footprint) const
   {
     weighAside(fragments, 0, 0, fragments.weight);
@@ -612,18 +673,26 @@ class TriangleWeights {
       const auto column =
           hn::PromoteTo(d, hn::Add(hn::And(pixel, hn::Set(di, kTileSide - 1)), hn::Set(di, right)));
       const auto row = hn::PromoteTo(d, hn::Add(hn::ShiftRight<6>(pixel), hn::Set(di, up)));
-      const auto share = [&](int k) HWY_ATTR {
-        const auto edge =
-            hn::Add(hn::Set(d, first_[k]), hn::Add(hn::Mul(column, hn::Set(d, perColumn_[k])),
-                                                   hn::Mul(row, hn::Set(d, perRow_[k]))));
-        return hn::Mul(hn::DemoteTo(df, edge), hn::Set(df, inverseW_[k]));
-      };
-      const auto s0 = share(0), s1 = share(1), s2 = share(2);
-      const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
-      hn::Store(hn::Mul(s0, inverse), df, weight[0] + i);
-      hn::Store(hn::Mul(s1, inverse), df, weight[1] + i);
-      hn::Store(hn::Mul(s2, inverse), df, weight[2] + i);
+      storeWeights(column, row, weight, i, df);
     }
+  }
+
+  template <class VD, class DF>
+  HWY_INLINE void storeWeights(VD column, VD row, float (&weight)[3][TriangleFragments::kRoom],
+                               std::size_t i, DF df) const
+  {
+    const hn::DFromV<VD> d;
+    const auto share = [&](int k) HWY_ATTR {
+      const auto edge =
+          hn::Add(hn::Set(d, first_[k]), hn::Add(hn::Mul(column, hn::Set(d, perColumn_[k])),
+                                                 hn::Mul(row, hn::Set(d, perRow_[k]))));
+      return hn::Mul(hn::DemoteTo(df, edge), hn::Set(df, inverseW_[k]));
+    };
+    const auto s0 = share(0), s1 = share(1), s2 = share(2);
+    const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
+    hn::Store(hn::Mul(s0, inverse), df, weight[0] + i);
+    hn::Store(hn::Mul(s1, inverse), df, weight[1] + i);
+    hn::Store(hn::Mul(s2, inverse), df, weight[2] + i);
   }
 
   double first_[3], perColumn_[3], perRow_[3];
@@ -669,6 +738,85 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
         shadeFragments<false>(shader, fragments);
       fragments.give(list, first, run, colors.pixel);
       if (colors.hasRadiance) fragments.giveRadiance(list, first, run, colors.pixelRadiance);
+    }
+  }
+}
+
+/// Some fragments of a translucent triangle, shaded together.
+struct RunPart {
+  static constexpr std::size_t kCapacity = TriangleFragments::kCapacity;
+  static constexpr std::size_t kRoom = TriangleFragments::kRoom;
+
+  alignas(64) std::int32_t x[kRoom], y[kRoom];  ///< where, in subpixels of the tile
+  alignas(64) std::int32_t rightX[kRoom], aboveY[kRoom];
+  alignas(64) float weight[3][kRoom];
+  alignas(64) float rightWeight[3][kRoom];
+  alignas(64) float aboveWeight[3][kRoom];
+  std::size_t count;
+
+  void take(const TranslucentFragments& fragments, std::uint32_t first, std::uint32_t end,
+            int samples, const ShadingOffsets& offsets)
+  {
+    count = std::min<std::size_t>(end - first, kCapacity);
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto pixel = static_cast<std::int32_t>(fragments.pixels()[first + i]);
+      const SampleOffset offset =
+          samples == 1 ? kPixelCentre : offsets[fragments.coverage()[first + i]];
+      x[i] = pixel % kTileSide * kSubpixels + offset.x;
+      y[i] = pixel / kTileSide * kSubpixels + offset.y;
+    }
+    // Up to a whole vector.
+    for (std::size_t i = count; i < count + hn::Lanes(D()) && i < kRoom; ++i) {
+      x[i] = x[0];
+      y[i] = y[0];
+    }
+  }
+  void weigh(const TriangleWeights& weights, bool footprint)
+  {
+    weights.weighPoints(x, y, count, weight);
+    if (!footprint) return;
+    for (std::size_t i = 0; i < count + hn::Lanes(D()) && i < kRoom; ++i) {
+      rightX[i] = x[i] + kSubpixels;
+      aboveY[i] = y[i] + kSubpixels;
+    }
+    weights.weighPoints(rightX, y, count, rightWeight);
+    weights.weighPoints(x, aboveY, count, aboveWeight);
+  }
+  CornerWeights weightsAt(std::size_t i) const
+  {
+    return {{weight[0] + i, weight[1] + i, weight[2] + i},
+            {rightWeight[0] + i, rightWeight[1] + i, rightWeight[2] + i},
+            {aboveWeight[0] + i, aboveWeight[1] + i, aboveWeight[2] + i}};
+  }
+};
+
+void shadeRunsKernel(const ShadingContext& context, const TileRectangle& pixels, int samples,
+                     Span<const std::uint32_t> numbers, const FragmentBatch& batch,
+                     TranslucentFragments& fragments)
+{
+  const Instance& instance = *context.placed->instance;
+  const bool footprint = UvUse(instance).footprint;
+  const ShadingOffsets offsets(samples);
+  const Lighting lighting(context);
+  RunPart part;
+  alignas(64) float colors[4 * RunPart::kRoom];
+  static_assert(sizeof(Vec4f) == 4 * sizeof(float), "colours are copied as floats");
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    if (batch.needsClip[t] != 0) continue;
+    const TriangleWeights weights(batch, t, pixels);
+    Shader<TriangleLanes> shader(lighting, context, batch, TriangleLanes(t));
+    if (shader.needsCorners()) shader.lightCorners();
+    const TranslucentFragments::Run run = fragments.runs()[numbers[t]];
+    for (std::uint32_t first = run.first; first < run.end;
+         first += static_cast<std::uint32_t>(part.count)) {
+      part.take(fragments, first, run.end, samples, offsets);
+      part.weigh(weights, footprint);
+      for (std::size_t i = 0; i < part.count; i += hn::Lanes(D())) {
+        const Lanes3 color = radianceOf(shader.colorAt(part.weightsAt(i)));
+        const V alpha = shader.alphaAt(part.weightsAt(i), instance.material.opacity);
+        hn::StoreInterleaved4(color.x, color.y, color.z, alpha, D(), colors + 4 * i);
+      }
+      std::memcpy(fragments.colors() + first, colors, part.count * sizeof(Vec4f));
     }
   }
 }

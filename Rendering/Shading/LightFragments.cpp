@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/Power.h"
 #include "Rendering/Shading/RunSurfaceShader.h"
+#include "Rendering/Shading/ShadingOffsets.h"
 
 #include <algorithm>
 #include <cstring>
@@ -21,6 +22,7 @@
 namespace limn {
 
 HWY_EXPORT(lightFragmentsKernel);
+HWY_EXPORT(fadeFragmentsKernel);
 HWY_EXPORT(quantizeFragmentsKernel);
 HWY_EXPORT(boundRadianceKernel);
 HWY_EXPORT(shadeTrianglesKernel);
@@ -29,10 +31,16 @@ HWY_EXPORT(runSurfaceShaderKernel);
 HWY_EXPORT(lightSurfacesKernel);
 HWY_EXPORT(arriveAtSurfacesKernel);
 HWY_EXPORT(finishSurfacesKernel);
+HWY_EXPORT(shadeRunsKernel);
 
 void lightFragments(const ShadingContext& context, FragmentBatch& batch)
 {
   HWY_DYNAMIC_DISPATCH(lightFragmentsKernel)(context, batch);
+}
+
+void fadeFragments(const ShadingContext& context, FragmentBatch& batch)
+{
+  HWY_DYNAMIC_DISPATCH(fadeFragmentsKernel)(context, batch);
 }
 
 void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
@@ -40,6 +48,13 @@ void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
                     const FragmentBatch& batch, TileColors& colors)
 {
   HWY_DYNAMIC_DISPATCH(shadeTrianglesKernel)(context, pixels, fragments, numbers, batch, colors);
+}
+
+void shadeRuns(const ShadingContext& context, const TileRectangle& pixels, int samples,
+               Span<const std::uint32_t> numbers, const FragmentBatch& batch,
+               TranslucentFragments& fragments)
+{
+  HWY_DYNAMIC_DISPATCH(shadeRunsKernel)(context, pixels, samples, numbers, batch, fragments);
 }
 
 void quantizeFragments(const FragmentBatch& batch, Rgba8* colors)

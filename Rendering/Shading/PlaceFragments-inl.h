@@ -23,6 +23,7 @@ class Gatherer {
         data_(placed.instance->attributes),
         normals_(placed.instance->style.normals),
         splitNormals_(normals_ == NormalSource::kVertex && !data_.normalOfCorner.empty()),
+        readsAlpha_(placed.instance->style.readsAlpha),
         uv_(*placed.instance),
         batch_(batch)
   {
@@ -49,7 +50,7 @@ class Gatherer {
     for (std::size_t i = 0; i < count; i += hn::Lanes(DI())) {
       const VI triangle = indices(mesh_.triangle.data(), hn::Load(DI(), place_ + i));
       const VI cell = data_.cells.empty() ? triangle : indices(data_.cells.data(), triangle);
-      if (cellColors) storeColor(data_.cellColors.data(), cell, batch_.cornerColor[0], i);
+      if (cellColors) storeColor(data_.cellColors.data(), cell, 0, i);
       if (normals_ == NormalSource::kCell)
         storeVectors(data_.cellNormals.data(), cell, batch_.cornerNormal[0], i);
     }
@@ -112,8 +113,7 @@ class Gatherer {
     if (normals_ == NormalSource::kVertex)
       storeVectors(data_.vertexNormals.data(), hn::Load(DI(), normal_[k] + i),
                    batch_.cornerNormal[k], i);
-    if (!data_.vertexColors.empty())
-      storeColor(data_.vertexColors.data(), vertex, batch_.cornerColor[k], i);
+    if (!data_.vertexColors.empty()) storeColor(data_.vertexColors.data(), vertex, k, i);
     if (uv_.set[0]) storePairs(data_.uv.data(), vertex, batch_.cornerUv[0][k], i);
     if (uv_.set[1]) storePairs(data_.uv2.data(), vertex, batch_.cornerUv[1][k], i);
   }
@@ -141,21 +141,24 @@ class Gatherer {
     hn::Store(hn::GatherIndex(DF(), &from->y, first), DF(), to.y + i);
   }
 
-  static HWY_INLINE void storeColor(const Rgba8* from, VI index, FragmentBatch::Vectors& to,
-                                    std::size_t i)
+  HWY_INLINE void storeColor(const Rgba8* from, VI index, int k, std::size_t i) const
   {
+    FragmentBatch::Vectors& to = batch_.cornerColor[k];
     const VI rgba = hn::GatherIndex(DI(), reinterpret_cast<const std::int32_t*>(from), index);
     const VI byte = hn::Set(DI(), 0xFF);
     hn::Store(hn::ConvertTo(DF(), hn::And(rgba, byte)), DF(), to.x + i);
     hn::Store(hn::ConvertTo(DF(), hn::And(hn::ShiftRight<8>(rgba), byte)), DF(), to.y + i);
     hn::Store(hn::ConvertTo(DF(), hn::And(hn::ShiftRight<16>(rgba), byte)), DF(), to.z + i);
+    if (!readsAlpha_) return;
+    const VI alpha = hn::And(hn::ShiftRight<24>(rgba), byte);
+    hn::Store(hn::ConvertTo(DF(), alpha), DF(), batch_.cornerAlpha[k] + i);
   }
 
   const TileClusters& clusters_;
   const ClusteredMesh& mesh_;
   const Attributes& data_;
   NormalSource normals_;
-  bool splitNormals_;
+  bool splitNormals_, readsAlpha_;
   UvUse uv_;
   FragmentBatch& batch_;
   alignas(64) std::int32_t place_[FragmentBatch::kCapacity];

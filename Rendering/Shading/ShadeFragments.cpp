@@ -4,9 +4,9 @@
 
 #include "Rendering/Raster/EdgeFunction.h"
 #include "Rendering/Shading/RunSurfaceShader.h"
+#include "Rendering/Shading/ShadingOffsets.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace limn {
@@ -17,29 +17,6 @@ namespace {
 struct ShadingPoint {
   std::int32_t x, y;
 };
-
-/// Offsets of the shading point in the pixel, by coverage.
-using ShadingOffsets = std::array<SampleOffset, 1 << kMaxSamples>;
-
-ShadingOffsets shadingOffsets(int samples)
-{
-  ShadingOffsets offsets;
-  for (std::size_t coverage = 1; coverage < offsets.size(); ++coverage) {
-    int first = 0;
-    while ((coverage >> first & 1) == 0)
-      ++first;
-    offsets[coverage] = coverage == (1u << samples) - 1u || first >= samples
-                            ? kPixelCentre
-                            : samplePositions(samples)[static_cast<std::size_t>(first)];
-  }
-  return offsets;
-}
-const ShadingOffsets& shadingOffsetsOf(int samples)
-{
-  static const ShadingOffsets k1 = shadingOffsets(1), k2 = shadingOffsets(2),
-                              k4 = shadingOffsets(4), k8 = shadingOffsets(8);
-  return samples == 8 ? k8 : samples == 4 ? k4 : samples == 2 ? k2 : k1;
-}
 
 /// The piece of a clipped triangle that is drawn at a point: the first of the fan that covers it,
 /// or, where rounding leaves a gap at the outer border, the first that is drawn at all.
@@ -101,6 +78,13 @@ void placeClipped(const PlacedCluster& cluster, const ClippedTriangle& polygon, 
   }
 }
 
+void setPoint(FragmentBatch& batch, std::size_t i, std::uint32_t pixel, SampleOffset offset)
+{
+  batch.pixel[i] = static_cast<std::int32_t>(pixel);
+  batch.pointX[i] = offset.x;
+  batch.pointY[i] = offset.y;
+}
+
 Vec3f bytes(Rgba8 c)
 {
   return {static_cast<float>(c.r), static_cast<float>(c.g), static_cast<float>(c.b)};
@@ -114,6 +98,7 @@ class BatchFiller {
         transform_(placed.transform),
         data_(placed.instance->attributes),
         flat_(placed.instance->style.frequency == ShadingFrequency::kFlat),
+        readsAlpha_(placed.instance->style.readsAlpha),
         normals_(placed.instance->style.normals),
         uv_(*placed.instance),
         batch_(batch)
@@ -144,17 +129,22 @@ class BatchFiller {
                                      ? vertex
                                      : data_.normalOfCorner[std::size_t{3} * triangle +
                                                             static_cast<std::size_t>(k)]]);
-    if (!data_.vertexColors.empty())
-      batch_.cornerColor[k].set(i, bytes(data_.vertexColors[vertex]));
+    if (!data_.vertexColors.empty()) setColor(data_.vertexColors[vertex], k, i);
     if (uv_.set[0]) batch_.cornerUv[0][k].set(i, data_.uv[vertex]);
     if (uv_.set[1]) batch_.cornerUv[1][k].set(i, data_.uv2[vertex]);
+  }
+
+  void setColor(Rgba8 color, int k, int i) const
+  {
+    batch_.cornerColor[k].set(i, bytes(color));
+    if (readsAlpha_) batch_.cornerAlpha[k][i] = static_cast<float>(color.a);
   }
 
   void fillCell(std::uint32_t triangle, int i) const
   {
     const std::uint32_t cell = data_.cells.empty() ? triangle : data_.cells[triangle];
     if (data_.vertexColors.empty() && !data_.cellColors.empty())
-      batch_.cornerColor[0].set(i, bytes(data_.cellColors[cell]));
+      setColor(data_.cellColors[cell], 0, i);
     if (flat_) {
       batch_.facePosition.set(
           i, viewPosition(transform_, toLocal(data_.facePoints[cell], mesh_.origin)));
@@ -167,7 +157,7 @@ class BatchFiller {
   const ClusteredMesh& mesh_;
   const InstanceTransform& transform_;
   const Attributes& data_;
-  bool flat_;
+  bool flat_, readsAlpha_;
   NormalSource normals_;
   UvUse uv_;
   FragmentBatch& batch_;
@@ -275,21 +265,61 @@ void FragmentShader::keepRadiance(Span<const std::uint32_t> numbers, RadianceArr
   }
 }
 
+template <class Keep>
+void FragmentShader::forEachLit(const TileClusters& clusters, const TileRectangle& pixels,
+                                int samples, const Places& places, Keep keep)
+{
+  const ShadingOffsets offsets(samples);
+  forEachBatch(clusters, places.owner, [&](const PlacedInstance& placed, auto numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      setPoint(batch_, i, places.pixel[numbers[i]],
+               samples == 1 ? kPixelCentre : offsets[places.coverage[numbers[i]]]);
+    fillBatch(clusters, placed, pixels);
+    placeClippedFragments(clusters);
+    if (isProgrammed(placed))
+      runSurfaceShader({clusters.scene, &placed}, clusters, pixels, batch_);
+    else
+      lightFragments({clusters.scene, &placed}, batch_);
+    keep(placed, numbers);
+  });
+}
+
+void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
+                           TranslucentFragments& fragments)
+{
+  clippedOwner_ = kNobody;
+  forEachBatch(clusters, fragments.runOwners(), [&](const PlacedInstance& placed, auto numbers) {
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      setPoint(batch_, i, fragments.pixels()[fragments.runs()[numbers[i]].first], kPixelCentre);
+    fillBatch(clusters, placed, pixels);
+    if (!isProgrammed(placed))
+      shadeRuns({clusters.scene, &placed}, pixels, samples, numbers, batch_, fragments);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (isProgrammed(placed) || batch_.needsClip[i] != 0) fragments.breakRun(numbers[i]);
+  });
+
+  const TranslucentFragments::Rest& rest = fragments.rest();
+  const Places places = {
+      {rest.owner.data(), rest.count}, {rest.pixel.data(), rest.count}, rest.coverage.data()};
+  forEachLit(clusters, pixels, samples, places, [&](const PlacedInstance& placed, auto numbers) {
+    fadeFragments({clusters.scene, &placed}, batch_);
+    boundRadiance(batch_);
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      fragments.colors()[rest.fragment[numbers[i]]] = {batch_.color.x[i], batch_.color.y[i],
+                                                       batch_.color.z[i], batch_.alpha[i]};
+  });
+}
+
 void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
                            FragmentList& fragments, TileColors& colors)
 {
   clippedOwner_ = kNobody;
   if (colors.hasRadiance) colors.pixelRadiance.resize(kTilePixels);
-  const auto setPoint = [&](std::size_t i, std::uint32_t pixel, SampleOffset offset) {
-    batch_.pixel[i] = static_cast<std::int32_t>(pixel);
-    batch_.pointX[i] = offset.x;
-    batch_.pointY[i] = offset.y;
-  };
   const Span<const std::uint32_t> triangles(fragments.triangleOwner.data(),
                                             fragments.triangleCount);
   forEachBatch(clusters, triangles, [&](const PlacedInstance& placed, auto numbers) {
     for (std::size_t i = 0; i < numbers.size(); ++i)
-      setPoint(i, fragments.run[fragments.firstRun[numbers[i]]].pixel, kPixelCentre);
+      setPoint(batch_, i, fragments.run[fragments.firstRun[numbers[i]]].pixel, kPixelCentre);
     fillBatch(clusters, placed, pixels);
     const ShadingContext context = {clusters.scene, &placed};
     if (isProgrammed(placed))
@@ -302,18 +332,10 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
 
   colors.fragment.resize(fragments.count);
   if (colors.hasRadiance) colors.fragmentRadiance.resize(fragments.count);
-  const ShadingOffsets& offsets = shadingOffsetsOf(samples);
-  const Span<const std::uint32_t> owners(fragments.owner.data(), fragments.count);
-  forEachBatch(clusters, owners, [&](const PlacedInstance& placed, auto numbers) {
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      setPoint(i, fragments.pixel[numbers[i]],
-               samples == 1 ? kPixelCentre : offsets[fragments.coverage[numbers[i]]]);
-    fillBatch(clusters, placed, pixels);
-    placeClippedFragments(clusters);
-    if (isProgrammed(placed))
-      runSurfaceShader({clusters.scene, &placed}, clusters, pixels, batch_);
-    else
-      lightFragments({clusters.scene, &placed}, batch_);
+  const Places places = {{fragments.owner.data(), fragments.count},
+                         {fragments.pixel.data(), fragments.count},
+                         fragments.coverage.data()};
+  forEachLit(clusters, pixels, samples, places, [&](const PlacedInstance&, auto numbers) {
     Rgba8 shaded[FragmentBatch::kCapacity];
     quantizeFragments(batch_, shaded);
     for (std::size_t i = 0; i < numbers.size(); ++i)

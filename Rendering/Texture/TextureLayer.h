@@ -69,6 +69,12 @@ struct TextureLayer {
   {
     return image != nullptr && sampler.filter == TextureFilter::kTrilinear;
   }
+  /// Of instances with Style::readsAlpha.
+  bool setsAlpha() const
+  {
+    return (role == TextureRole::kShaded || role == TextureRole::kSurface) &&
+           mode != TextureMode::kDecal;
+  }
   bool bendsNormals() const { return role == TextureRole::kNormal || role == TextureRole::kBump; }
 };
 

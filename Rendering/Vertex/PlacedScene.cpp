@@ -29,6 +29,7 @@ PlacedScene placeScene(const Scene& scene, int width, int height,
         {&instance,
          makeInstanceTransform(scene.camera, instance.modelToWorld, frame, width, height),
          placed.clusterCount});
+    placed.hasTranslucent = placed.hasTranslucent || instance.isTranslucent();
     placed.clusterCount += static_cast<std::uint32_t>(mesh.clusters.size());
   }
   return placed;

@@ -28,6 +28,7 @@ struct PlacedScene {
   std::vector<ViewLight> lights;
   std::uint32_t clusterCount;
   Optimizations optimizations;
+  bool hasTranslucent = false;  ///< some instance is
 
   /// The instance to which a cluster of the frame belongs.
   std::uint32_t instanceOf(std::uint32_t cluster) const;

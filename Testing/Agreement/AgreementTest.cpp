@@ -160,6 +160,33 @@ TEST_P(EveryTarget, RunsShadersLikeTheReference)
   EXPECT_GT(changedPixels, 500000u) << "the shaders must show";
 }
 
+TEST_P(EveryTarget, LaysTranslucentSurfacesLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    const RandomScene random(seed, seed % 8 == 1 ? RandomScene::Detail::kFineTranslucent
+                                                 : RandomScene::Detail::kTranslucent);
+    Picture expected = random.canvas(), actual = random.canvas(), opaque = random.canvas();
+    if (seed % 3 == 0)
+      for (Picture* picture : {&expected, &actual})
+        picture->addRadiance();
+    RenderStats stats[2];
+    RenderOptions options = {Backend::kPipeline, kThreads[seed % 4]};
+    options.optimizations.occlusionCulling = seed % 7 != 0;
+    options.optimizations.smallClusters = seed % 11 != 0;
+    ASSERT_TRUE(render(random.scene(), expected.frame(random.background()),
+                       {Backend::kReference, 1}, &stats[0])
+                    .ok());
+    ASSERT_TRUE(render(random.scene(), actual.frame(random.background()), options, &stats[1]).ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    ASSERT_EQ(stats[0].truncatedPixels, stats[1].truncatedPixels) << "seed " << seed;
+    for (std::size_t i = 0; i < actual.color.size(); ++i)
+      changedPixels += actual.color[i].g != opaque.color[i].g && actual.instance[i] == kNobody;
+  }
+  EXPECT_GT(changedPixels, 300000u) << "translucent surfaces must show";
+}
+
 TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)
 {
   std::size_t occluded = 0;

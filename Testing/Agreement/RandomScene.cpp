@@ -150,7 +150,7 @@ FrameView Picture::frame(Background background)
   view.rowStride = width;
   view.color = color.data();
   view.depth = depth.data();
-  view.coverage = coverage.data();
+  view.coverage = coverage.empty() ? nullptr : coverage.data();
   view.instance = instance.data();
   view.cell = cell.data();
   view.background = background;
@@ -183,8 +183,8 @@ std::size_t Picture::differingPixels(const Picture& other) const
   for (std::size_t i = 0; i < color.size(); ++i)
     if (radianceDiffers(i) || std::memcmp(&color[i], &other.color[i], sizeof color[i]) != 0 ||
         std::memcmp(&depth[i], &other.depth[i], sizeof depth[i]) != 0 ||
-        coverage[i] != other.coverage[i] || instance[i] != other.instance[i] ||
-        cell[i] != other.cell[i])
+        (!coverage.empty() && coverage[i] != other.coverage[i]) ||
+        instance[i] != other.instance[i] || cell[i] != other.cell[i])
       ++count;
   return count;
 }
@@ -209,21 +209,25 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   placeCamera(random);
   if (detail == Detail::kLights) addLights();
   const bool isShaded = detail == Detail::kShaders;
+  const bool isTranslucent = detail == Detail::kTranslucent || detail == Detail::kFineTranslucent;
   if (detail == Detail::kReflections || isShaded) addReflections();
-  if (detail == Detail::kTextures || isShaded) addTextures();
+  if (detail == Detail::kTextures || isShaded || (isTranslucent && seed % 5 == 0)) addTextures();
+  if (isTranslucent) addTranslucency();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
   scene_.samples = 1 << random.below(4);
+  if (isTranslucent) scene_.samples = 1 << Random(seed ^ 0x5EEDu).below(5);
   scene_.resolve = random.chance(4) ? Resolve::kLinear : Resolve::kGamma22;
   background_ = random.chance(2) ? Background::kBlend : Background::kKeepApart;
   if (detail == Detail::kPost) addEffects(Random(seed ^ 0xB100Du));
-  if (isShaded) addShaders(Random(seed ^ 0x54ADEu));
+  if (isShaded || (isTranslucent && seed % 7 == 0)) addShaders(Random(seed ^ 0x54ADEu));
 }
 
 Picture RandomScene::canvas() const
 {
   Picture picture(width_, height_);
+  if (scene_.samples > 8) picture.coverage.clear();
   Random random(seed_ ^ 0xC0FFEEu);
   const bool oldDepths = random.chance(3);
   for (std::size_t i = 0; i < picture.color.size(); ++i) {
@@ -238,9 +242,10 @@ void RandomScene::addMesh(Random& random, Detail detail)
   auto mesh = std::make_unique<OwnedMesh>();
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
   std::vector<Vec3d> points =
-      detail == Detail::kFine ? makeBumpySphere(random, *mesh)
-      : detail == Detail::kCoarse ||
-              ((detail == Detail::kTextures || detail == Detail::kShaders) && seed_ % 2 == 0)
+      detail == Detail::kFine || detail == Detail::kFineTranslucent ? makeBumpySphere(random, *mesh)
+      : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
+                                       detail == Detail::kTranslucent) &&
+                                      seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
@@ -430,6 +435,33 @@ void RandomScene::addTextures()
     instance.layers = layers_.back();
   }
   joinTextures();
+}
+
+void RandomScene::addTranslucency()
+{
+  Random random(seed_ ^ 0x3C6EF372u);
+  const auto alpha = [&] { return static_cast<std::uint8_t>(random.below(256)); };
+  for (const auto& mesh : meshes_)
+    for (std::vector<Rgba8>* colors : {&mesh->vertexColors, &mesh->cellColors})
+      for (Rgba8& color : *colors)
+        color.a = alpha();
+  // Some once more, where they are or elsewhere.
+  const std::size_t count = instances_.size();
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::uint32_t copies = random.below(3); copies > 0; --copies) {
+      Instance copy = instances_[i];
+      if (centre_ == Vec3d{0, 0, 0} && !random.chance(3))
+        for (auto& row : copy.modelToWorld.m)
+          row[3] += random.between(-0.3, 0.3);
+      instances_.push_back(copy);
+    }
+  for (Instance& instance : instances_) {
+    if (random.chance(4)) continue;
+    instance.material.opacity =
+        static_cast<float>(random.chance(5) ? random.below(2) : random.between(0, 1));
+    instance.style.readsAlpha = random.chance(2);
+    if (random.chance(2)) instance.material.diffuse *= 5;
+  }
 }
 
 void RandomScene::addReflections()

@@ -60,7 +60,7 @@ struct Picture {
   int width, height;
   std::vector<Rgba8> color;
   std::vector<float> depth;
-  std::vector<std::uint8_t> coverage;
+  std::vector<std::uint8_t> coverage;  ///< empty with 16 samples
   std::vector<std::uint32_t> instance, cell;
   std::array<std::vector<float>, 3> radiance;  ///< empty unless asked for
 
@@ -86,6 +86,9 @@ class RandomScene {
     kTextures,     ///< as kAny or kCoarse, with textures of all kinds
     kLights,       ///< as kAny, with area lights, normals of corners, faces lit at a corner
     kShaders,      ///< as kTextures, with surface shaders and vertex shaders
+    /// As kAny or kCoarse, most instances translucent, some with textures, 1 to 16 samples.
+    kTranslucent,
+    kFineTranslucent,  ///< likewise as kFine
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -105,6 +108,7 @@ class RandomScene {
   void addLights();
   void addNormals(Random& random);
   void addTextures();
+  void addTranslucency();
   void joinTextures();
   void addImages(Random& random);
   TextureLayer randomLayer(Random& random) const;

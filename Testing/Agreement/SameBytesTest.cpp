@@ -23,6 +23,7 @@ constexpr std::uint64_t kHashOfScenes = 4481409563840940949u;
 constexpr std::uint64_t kHashOfReflections = 2261506406569148229u;
 constexpr std::uint64_t kHashOfLights = 13210657878963063253u;
 constexpr std::uint64_t kHashOfTextures = 6601808570278293167u;
+constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 
@@ -115,6 +116,13 @@ TEST_P(SameBytes, TexturesHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kTextures);
   std::cout << "kHashOfTextures " << hash << '\n';
   EXPECT_EQ(hash, kHashOfTextures);
+}
+
+TEST_P(SameBytes, TranslucencyHasTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kTranslucent);
+  std::cout << "kHashOfTranslucency " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfTranslucency);
 }
 
 TEST_P(SameBytes, PostEffectsHaveTheKnownHash)

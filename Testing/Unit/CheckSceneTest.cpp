@@ -70,7 +70,12 @@ const Mistake kFrameMistakes[] = {
     {"NoDepthPlane", Error::kMissingData, "depth", [](Input& i) { i.frame.depth = nullptr; }},
     {"SamplesThree", Error::kInvalidSampleCount, "3", [](Input& i) { i.scene.samples = 3; }},
     {"SamplesZero", Error::kInvalidSampleCount, "0", [](Input& i) { i.scene.samples = 0; }},
-    {"SamplesSixteen", Error::kInvalidSampleCount, "16", [](Input& i) { i.scene.samples = 16; }},
+    {"SamplesThirtyTwo", Error::kInvalidSampleCount, "32", [](Input& i) { i.scene.samples = 32; }},
+    {"CoverageOfSixteenSamples", Error::kInvalidSampleCount, "coverage",
+     [](Input& i) {
+       static std::uint8_t coverage[1];
+       i.scene.samples = 16, i.frame.coverage = coverage;
+     }},
     {"SamplesNegative", Error::kInvalidSampleCount, "-1", [](Input& i) { i.scene.samples = -1; }},
 };
 
@@ -150,6 +155,12 @@ const Mistake kInstanceMistakes[] = {
      [](Input& i) { i.instance().material.diffuse = kNan; }},
     {"AmbientNegative", Error::kNotFinite, "material",
      [](Input& i) { i.instance().material.ambient = -0.1f; }},
+    {"OpacityAboveOne", Error::kNotFinite, "opacity",
+     [](Input& i) { i.instance().material.opacity = 1.5f; }},
+    {"OpacityNegative", Error::kNotFinite, "opacity",
+     [](Input& i) { i.instance().material.opacity = -0.1f; }},
+    {"OpacityNan", Error::kNotFinite, "opacity",
+     [](Input& i) { i.instance().material.opacity = kNan; }},
     {"SpecularInfinite", Error::kNotFinite, "material",
      [](Input& i) { i.instance().material.specular = kInfinity; }},
     {"PowerNegative", Error::kNotFinite, "material",

@@ -25,7 +25,7 @@ TEST(ResolveTable, EachByteStandsForItsPower)
 TEST(ResolveTable, TheMeanOfEqualBytesIsThatByte)
 {
   for (int byte = 0; byte < 256; ++byte)
-    for (std::uint32_t count = 1; count <= 8; ++count) {
+    for (std::uint32_t count = 1; count <= 16; ++count) {
       const std::uint32_t sum = count * table().linear(static_cast<std::uint8_t>(byte));
       EXPECT_EQ(table().byteOfMean(sum, count), byte) << count << " samples";
     }

@@ -24,14 +24,28 @@ TEST(SamplePositions, TheirMeanIsThePixelsCentre)
   }
 }
 
+TEST(SamplePositions, TheMeanOfSixteenIsAThirtySecondLeftAndBelow)
+{
+  std::int32_t x = 0, y = 0;
+  for (const SampleOffset& offset : samplePositions(16)) {
+    x += offset.x;
+    y += offset.y;
+  }
+  EXPECT_EQ(x, 16 * (kPixelCentre.x - kSubpixels / 32));
+  EXPECT_EQ(y, 16 * (kPixelCentre.y - kSubpixels / 32));
+}
+
 TEST(SamplePositions, NoTwoShareARowOrAColumn)
 {
-  for (const int samples : {1, 2, 4, 8}) {
+  for (const int samples : {1, 2, 4, 8, 16}) {
     std::set<std::int32_t> columns, rows;
     for (const SampleOffset& offset : samplePositions(samples)) {
       columns.insert(offset.x);
       rows.insert(offset.y);
-      EXPECT_TRUE(offset.x > 0 && offset.x < kSubpixels && offset.y > 0 && offset.y < kSubpixels);
+      // Two of 16 lie on the left and lower border, which are the pixel's own.
+      const int low = samples == 16 ? 0 : 1;
+      EXPECT_TRUE(offset.x >= low && offset.x < kSubpixels && offset.y >= low &&
+                  offset.y < kSubpixels);
     }
     EXPECT_EQ(columns.size(), static_cast<std::size_t>(samples));
     EXPECT_EQ(rows.size(), static_cast<std::size_t>(samples));
