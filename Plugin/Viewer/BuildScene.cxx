@@ -103,6 +103,7 @@ void setReflectance(const MaterialSettings& material, vtkLimnProperty& property)
   property.SetSpecularColor(material.specular.data());
   property.SetSpecular(1);
   property.SetSpecularPower(material.specularPower);
+  property.SetOpacity(material.opacity);
 }
 
 void setReflection(const MaterialSettings& material, vtkLimnProperty& property)

@@ -89,7 +89,8 @@ const Choices<Procedural>& procedurals()
 
 const Choices<int>& sampleCounts()
 {
-  static const Choices<int> choices = { { "1", 1 }, { "2", 2 }, { "4", 4 }, { "8", 8 } };
+  static const Choices<int> choices = { { "1", 1 }, { "2", 2 }, { "4", 4 }, { "8", 8 },
+    { "16", 16 } };
   return choices;
 }
 

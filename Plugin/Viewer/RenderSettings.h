@@ -177,6 +177,7 @@ struct MaterialSettings
   std::optional<Color> ambient, diffuse; ///< k_a: k_d if not given; k_d: color if not given
   Color specular = { 0.2, 0.2, 0.2 };    ///< k_s
   double specularPower = 32;             ///< 0 to 128
+  double opacity = 1;                    ///< 0 to 1
   std::optional<double> roughness;       ///< 0 to 1; kDefaultRoughness if not given
   std::optional<double> metallic;        ///< 0 to 1; 0 if not given
   std::optional<Color> refractiveIndex;  ///< by channel; kDefaultRefractiveIndex if not given

@@ -85,15 +85,6 @@ Color parseRefractiveIndex(Text option, Text text)
   return index;
 }
 
-void requireOpaque(Text option, Text text)
-{
-  if (parseNumber(option, text) != 1)
-  {
-    throw UserError(option + "=" + text + ": translucency is not yet served by this version; use " +
-                    option + "=1");
-  }
-}
-
 void addCamera(OptionList& options, CameraSettings& camera)
 {
   options.startGroup("Camera (fitted to the meshes where not given)");
@@ -126,7 +117,8 @@ void addMaterial(OptionList& options, MaterialSettings& material)
   options.startGroup("Surface");
   options.add("--color", "r,g,b", "the colour (the meshes' own, else a grey blue)",
     into(material.color, parseIntensity));
-  options.add("--opacity", "a", "1; translucency is not yet served", requireOpaque);
+  options.add("--opacity", "a", "how much of it is seen, 0 to 1; the rest is what lies\nbehind (1)",
+    into(material.opacity, parseShare));
   options.add("--shading", "name", "where light is evaluated: flat, gouraud, phong (phong)",
     choose(material.shading, shadings()));
   options.add("--flat-point", "name", "of a face lit flat: centroid, first-vertex (centroid)",
@@ -270,7 +262,7 @@ void addSceneOptions(OptionList& options, SceneSettings& scene)
   options.add("--resolution", "width,height", "in pixels (1000,600)",
     into(scene.resolution, parseResolution));
   options.add(
-    "--samples", "n", "per pixel: 1, 2, 4, 8 (4)", choose(scene.samples, sampleCounts(), { "16" }));
+    "--samples", "n", "per pixel: 1, 2, 4, 8, 16 (4)", choose(scene.samples, sampleCounts()));
   options.add("--threads", "n", "how many cores to use (all)",
     [&scene](Text option, Text text) { scene.threads = parseInteger(option, text, 1, 1024); });
 }

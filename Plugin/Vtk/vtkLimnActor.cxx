@@ -13,6 +13,8 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProperty.h"
 
+#include <cmath>
+
 namespace
 {
 bool HasDecal(vtkActor* actor)
@@ -37,7 +39,9 @@ int vtkLimnActor::RenderOpaqueGeometry(vtkViewport* viewport)
     return this->Superclass::RenderOpaqueGeometry(viewport);
   }
   vtkRenderer* renderer = static_cast<vtkRenderer*>(viewport);
-  if (!this->Mapper || !this->HasOpaqueGeometry())
+  // As VTK's: selections see translucent actors, too, but for those that nobody sees.
+  const bool isSelected = renderer->GetSelector() && this->GetProperty()->GetOpacity() > 0;
+  if (!this->Mapper || (!isSelected && !this->HasOpaqueGeometry()))
   {
     return 0;
   }
@@ -87,7 +91,8 @@ vtkTypeBool vtkLimnActor::HasTranslucentPolygonalGeometry()
   this->Texture = HasDecal(this) ? nullptr : texture;
   const vtkTypeBool isTranslucent = this->Superclass::HasTranslucentPolygonalGeometry();
   this->Texture = texture;
-  return isTranslucent;
+  // VTK would render that in no pass, and nobody would hear of it.
+  return isTranslucent || std::isnan(this->GetProperty()->GetOpacity());
 }
 
 //------------------------------------------------------------------------------

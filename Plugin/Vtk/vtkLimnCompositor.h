@@ -61,9 +61,27 @@ public:
   virtual bool Composite(vtkRenderer* renderer, const Layer& layer) = 0;
 
   /**
+   * Likewise for Blend(), which draws into the window's own framebuffer.
+   */
+  virtual int GetSamplesForBlend(vtkRenderer* renderer) = 0;
+
+  /**
+   * Gives the window depths, Width x Height floats, of what is in the renderer's viewport so far,
+   * whatever framebuffer is bound; of several samples a pixel one. False on an error (reported).
+   */
+  virtual bool ReadDepth(vtkRenderer* renderer, int width, int height, float* depth) = 0;
+
+  /**
+   * Blends a layer over the renderer's viewport of the window's own framebuffer, whatever
+   * framebuffer is bound, without a depth test and without writing depth. Its colours are
+   * multiplied by alpha: a pixel's covered samples get their mean. False on an error (reported).
+   */
+  virtual bool Blend(vtkRenderer* renderer, const Layer& layer) = 0;
+
+  /**
    * Draws an actor with the backend's own mapper, as if Limn were not there: same input, lookup
-   * table, property, texture and matrix. For translucent, wireframe, point and line actors, for
-   * hardware selection, and for all actors of a renderer with render passes.
+   * table, property, texture and matrix. For wireframe, point and line actors, for hardware
+   * selection, and for all actors of a renderer with render passes.
    */
   virtual void RenderWithBackend(
     vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* mapper) = 0;

@@ -60,7 +60,8 @@ vtkLimnHardwareSelector::~vtkLimnHardwareSelector() = default;
 //------------------------------------------------------------------------------
 void vtkLimnHardwareSelector::AddSurface(vtkActor* actor, vtkLimnPolyDataMapper* mapper)
 {
-  this->Internals->Surfaces.push_back({ limn::bridge::surfaceOf(actor, mapper), this->PropID });
+  this->Internals->Surfaces.push_back(
+    { limn::bridge::surfaceOf(actor, mapper, false), this->PropID });
 }
 
 //------------------------------------------------------------------------------

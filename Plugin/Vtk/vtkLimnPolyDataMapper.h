@@ -4,15 +4,18 @@
  * @class   vtkLimnPolyDataMapper
  * @brief   draws the surface of polygonal data by Limn's rasterizer
  *
- * Polygons and triangle strips, opaque, as a surface, coloured by the property, by scalars or by
- * textures. All
- * such actors of a renderer are drawn together, by all cores of the CPU. What is prepared for the
- * geometry is kept until points or cells change; colours are mapped anew only if scalars or the
+ * Polygons and triangle strips as a surface, coloured by the property, by scalars or by textures.
+ * All such actors of a renderer are drawn together, by all cores of the CPU. What is prepared for
+ * the geometry is kept until points or cells change; colours are mapped anew only if scalars or the
  * lookup table do.
  *
- * What Limn does not draw yet (translucent actors, wireframe, points, lines, ...) is
- * drawn by the window's own backend in an OpenGL window. In a vtkLimnRenderWindow a warning says
- * once what is missing.
+ * Translucent surfaces, by opacity, scalars or texture as VTK's actors define it, are sorted in
+ * each sample; nothing has to be set for it, and the settings of depth peeling are not read. In an
+ * OpenGL window those that Limn draws lie over all opaque actors, hidden where these are nearer,
+ * and behind the translucent ones of the backend.
+ *
+ * What Limn does not draw yet (wireframe, points, lines, ...) is drawn by the window's own backend
+ * in an OpenGL window. In a vtkLimnRenderWindow a warning says once what is missing.
  *
  * @sa
  * vtkLimnActor vtkLimnProperty vtkLimnRenderWindow vtkLimnEngine vtkLimnVertexShader

@@ -263,7 +263,7 @@ int vtkLimnRenderWindow::GetColorBufferSizes(int* rgba)
 int vtkLimnRenderWindow::GetSamplesPerPixel()
 {
   int samples = 1;
-  while (samples < 8 && samples < this->MultiSamples)
+  while (samples < 16 && samples < this->MultiSamples)
   {
     samples *= 2;
   }

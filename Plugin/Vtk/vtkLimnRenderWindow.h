@@ -13,8 +13,8 @@
  * not (text, volumes, images, ...) are named once in a warning.
  *
  * MultiSamples is 4 unless VTK_TESTING is set in the environment, then 0; values are used as 1, 2,
- * 4 or 8 samples per pixel. Of these one colour, their mean, and one depth, the nearest, are kept:
- * what is not erased before the next frame is drawn over as if each sample had them.
+ * 4, 8 or 16 samples per pixel. Of these one colour, their mean, and one depth, the nearest, are
+ * kept: what is not erased before the next frame is drawn over as if each sample had them.
  *
  * @sa
  * vtkLimnRenderer vtkLimnRenderWindowInteractor
@@ -85,7 +85,7 @@ public:
   ///@}
 
   /**
-   * Samples per pixel in use: 1, 2, 4 or 8, from MultiSamples.
+   * Samples per pixel in use: 1, 2, 4, 8 or 16, from MultiSamples.
    */
   int GetSamplesPerPixel();
 

@@ -13,6 +13,7 @@
 #include "vtkCommand.h"
 #include "vtkHardwareSelector.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLFramebufferObject.h"
 #include "vtkOpenGLPolyDataMapper.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -52,6 +53,17 @@ private:
   vtkWeakPointer<vtkObject> Object;
   unsigned long Tag = 0;
 };
+
+/// The next smaller of 8, 4, 2 and 1.
+int SupportedSamples(int samples)
+{
+  int supported = 1;
+  while (supported < 8 && 2 * supported <= samples)
+  {
+    supported *= 2;
+  }
+  return supported;
+}
 
 struct WindowState
 {
@@ -127,12 +139,13 @@ int vtkLimnOpenGLCompositor::GetSamples(vtkRenderer* renderer)
   window->MakeCurrent();
   GLint samples = 0;
   glGetIntegerv(GL_SAMPLES, &samples);
-  int supported = 1;
-  while (supported < 8 && 2 * supported <= samples)
-  {
-    supported *= 2;
-  }
-  return supported;
+  return SupportedSamples(samples);
+}
+
+int vtkLimnOpenGLCompositor::GetSamplesForBlend(vtkRenderer* renderer)
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow(renderer);
+  return window ? SupportedSamples(window->GetRenderFramebuffer()->GetMultiSamples()) : 1;
 }
 
 bool vtkLimnOpenGLCompositor::Composite(vtkRenderer* renderer, const Layer& layer)
@@ -142,14 +155,8 @@ bool vtkLimnOpenGLCompositor::Composite(vtkRenderer* renderer, const Layer& laye
   {
     return false;
   }
-  if (!layer.Color || !layer.Depth || !layer.Coverage)
+  if (!this->IsValid(layer))
   {
-    vtkErrorMacro("A layer needs colour, depth and coverage; one of them is missing.");
-    return false;
-  }
-  if (layer.Samples != 1 && layer.Samples != 2 && layer.Samples != 4 && layer.Samples != 8)
-  {
-    vtkErrorMacro("A layer has 1, 2, 4 or 8 samples per pixel, not " << layer.Samples << ".");
     return false;
   }
   GLint viewport[4];
@@ -161,13 +168,81 @@ bool vtkLimnOpenGLCompositor::Composite(vtkRenderer* renderer, const Layer& laye
                                   << viewport[3] << ".");
     return false;
   }
-  if (!this->Internals->StateOf(window, this).Painter.Paint(layer))
+  return this->IsAccepted(layer, this->Internals->StateOf(window, this).Painter.Paint(layer));
+}
+
+bool vtkLimnOpenGLCompositor::IsValid(const Layer& layer)
+{
+  if (!layer.Color || !layer.Depth || !layer.Coverage)
   {
-    vtkErrorMacro("OpenGL refuses a texture of " << layer.Width << " x " << layer.Height
-                                                 << " pixels; make the window smaller.");
+    vtkErrorMacro("A layer needs colour, depth and coverage; one of them is missing.");
+    return false;
+  }
+  if (layer.Samples != 1 && layer.Samples != 2 && layer.Samples != 4 && layer.Samples != 8)
+  {
+    vtkErrorMacro("A layer has 1, 2, 4 or 8 samples per pixel, not " << layer.Samples << ".");
     return false;
   }
   return true;
+}
+
+bool vtkLimnOpenGLCompositor::IsAccepted(const Layer& layer, bool isPainted)
+{
+  if (!isPainted)
+  {
+    vtkErrorMacro("OpenGL refuses a texture of " << layer.Width << " x " << layer.Height
+                                                 << " pixels; make the window smaller.");
+  }
+  return isPainted;
+}
+
+bool vtkLimnOpenGLCompositor::ReadDepth(vtkRenderer* renderer, int width, int height, float* depth)
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow(renderer);
+  if (!window)
+  {
+    return false;
+  }
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  if (size[0] != width || size[1] != height)
+  {
+    vtkErrorMacro("Depths of " << width << " x " << height
+                               << " pixels are asked for, but the viewport is " << size[0] << " x "
+                               << size[1] << ".");
+    return false;
+  }
+  return window->GetZbufferData(
+           origin[0], origin[1], origin[0] + width - 1, origin[1] + height - 1, depth) == VTK_OK;
+}
+
+bool vtkLimnOpenGLCompositor::Blend(vtkRenderer* renderer, const Layer& layer)
+{
+  vtkOpenGLRenderWindow* window = this->GetWindow(renderer);
+  if (!window || !this->IsValid(layer))
+  {
+    return false;
+  }
+  int size[2];
+  int origin[2];
+  renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
+  if (layer.Width != size[0] || layer.Height != size[1])
+  {
+    vtkErrorMacro("The layer is " << layer.Width << " x " << layer.Height
+                                  << " pixels, but the viewport " << size[0] << " x " << size[1]
+                                  << ".");
+    return false;
+  }
+  // VTK's translucent passes have framebuffers of their own, which they lay over this one.
+  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState::ScopedglViewport viewportSaver(state);
+  state->PushFramebufferBindings();
+  window->GetRenderFramebuffer()->Bind();
+  state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
+  const bool isPainted = this->Internals->StateOf(window, this).Painter.Blend(layer);
+  state->PopFramebufferBindings();
+  return this->IsAccepted(layer, isPainted);
 }
 
 void vtkLimnOpenGLCompositor::RenderWithBackend(

@@ -45,6 +45,15 @@ public:
    */
   bool Composite(vtkRenderer* renderer, const Layer& layer) override;
 
+  int GetSamplesForBlend(vtkRenderer* renderer) override;
+
+  bool ReadDepth(vtkRenderer* renderer, int width, int height, float* depth) override;
+
+  /**
+   * Errors: as Composite().
+   */
+  bool Blend(vtkRenderer* renderer, const Layer& layer) override;
+
   void RenderWithBackend(
     vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* mapper) override;
 
@@ -63,6 +72,8 @@ private:
   void operator=(const vtkLimnOpenGLCompositor&) = delete;
 
   vtkOpenGLRenderWindow* GetWindow(vtkRenderer* renderer);
+  bool IsValid(const Layer& layer);
+  bool IsAccepted(const Layer& layer, bool isPainted);
   void NoteSelection(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* twin);
 
   void ForgetWindow(vtkObject* window, unsigned long event, void* data);

@@ -16,6 +16,7 @@
 #include <vtkOpenGLRenderWindow.h>
 #include <vtkOpenGLRenderer.h>
 #include <vtkPolyData.h>
+#include <vtkProperty.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -57,8 +58,16 @@ Candidate::Candidate(const Way& way, const Scene& scene) : Name(way.Name)
     mapper->ScalarVisibilityOff();
     vtkSmartPointer<vtkActor> actor = way.MakeActor();
     actor->SetMapper(mapper);
+    actor->GetProperty()->SetOpacity(scene.Opacity);
     actor->SetPosition(part.Position[0], part.Position[1], part.Position[2]);
     this->Renderer->AddActor(actor);
+  }
+  if (scene.IsTranslucent())
+  {
+    // All layers, and none approximated.
+    this->Renderer->UseDepthPeelingOn();
+    this->Renderer->SetMaximumNumberOfPeels(1000);
+    this->Renderer->SetOcclusionRatio(0);
   }
   this->Renderer->ResetCamera();
   this->Renderer->GetActiveCamera()->Elevation(scene.Elevation);

@@ -55,6 +55,7 @@ SceneResult Measure(const Scene& scene, int blocks)
   std::vector<std::unique_ptr<Candidate>> candidates;
   std::vector<std::vector<double>> frames(Ways().size());
   SceneResult result;
+  result.HasLimit = !scene.IsTranslucent();
   const int samples = std::max(scene.Samples, 1);
   for (const Way& way : Ways())
   {
@@ -84,6 +85,10 @@ SceneResult Measure(const Scene& scene, int blocks)
       result.Ways[i].DifferingPixels =
         std::max(result.Ways[i].DifferingPixels, differing(candidates[i]->Pixels->GetPointer(0)));
     }
+    if (!result.HasLimit)
+    {
+      continue;
+    }
     result.Bound = MeasureLimit({ replayed.Look(), scene.Width, scene.Height, threads }, color);
     result.ReplayDifferingPixels =
       std::max(result.ReplayDifferingPixels, differing(&color.front().r));
@@ -95,7 +100,10 @@ SceneResult Measure(const Scene& scene, int blocks)
   {
     result.Ways[i].MedianMilliseconds = MedianOf(frames[i]);
   }
-  result.OfFullLimit = MedianOf(ofFull);
-  result.OfOracleLimit = MedianOf(ofOracle);
+  if (result.HasLimit)
+  {
+    result.OfFullLimit = MedianOf(ofFull);
+    result.OfOracleLimit = MedianOf(ofOracle);
+  }
   return result;
 }

@@ -35,6 +35,10 @@ nlohmann::json ToJson(const Scene& scene, const SceneResult& result)
       { "bytes per triangle", way.Memory.Kept / scene.CountTriangles() },
       { "peak MB", way.Memory.Peak * kPerMillion }, { "differing pixels", way.DifferingPixels } });
   }
+  if (!result.HasLimit)
+  {
+    return figures;
+  }
   const Limit& limit = result.Bound;
   const auto perThread = [&](double milliseconds) { return milliseconds / limit.Threads; };
   figures["limit"] = { { "threads", limit.Threads }, { "attribute bytes", limit.AttributeBytes },
@@ -64,6 +68,11 @@ void Print(const nlohmann::json& figures)
       way["first ms"].get<double>(), way["Mtri/s"].get<double>(), way["ratio"].get<double>(),
       way["bytes per triangle"].get<double>(), way["peak MB"].get<double>(),
       way["differing pixels"].get<long long>());
+  }
+  if (!figures.contains("limit"))
+  {
+    std::fflush(stdout);
+    return;
   }
   const nlohmann::json& limit = figures["limit"];
   for (const char* set : { "full", "oracle" })

@@ -109,6 +109,12 @@ Scene Sheets(int layers)
   return scene;
 }
 
+Scene Translucent(Scene scene)
+{
+  scene.Opacity = 0.4;
+  return scene;
+}
+
 Scene Filling(vtkSmartPointer<vtkPolyData> data, int width, int height)
 {
   Scene scene;
@@ -186,6 +192,10 @@ const std::vector<SceneMaker>& SceneMakers()
     named("1 sheet 4K", [] { return Sheets(1); }),
     named("4 sheets 4K", [] { return Sheets(4); }),
     named("16 sheets 4K", [] { return Sheets(16); }),
+    named("torus 0.2M, translucent", [] { return Translucent(TorusScene(316, 0)); }),
+    named(
+      "gyroid 3.5M, translucent", [] { return Translucent(Filling(MakeGyroid(300), 1280, 720)); }),
+    named("4 sheets 4K, translucent", [] { return Translucent(Sheets(4)); }),
   };
   return makers;
 }

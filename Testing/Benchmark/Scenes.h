@@ -27,8 +27,10 @@ struct Scene
   int Samples = 0; ///< as vtkRenderWindow::SetMultiSamples() takes them
   double Elevation = -50;
   double Zoom = 1;
+  double Opacity = 1; ///< below 1 VTK peels depths, as exact as it can
 
   long long CountTriangles() const;
+  bool IsTranslucent() const { return this->Opacity < 1; }
 };
 
 struct SceneMaker

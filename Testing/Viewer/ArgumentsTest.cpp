@@ -89,7 +89,7 @@ TEST(Arguments, MaterialIsRead)
     parseRender({ "--color=0.1,0.2,0.3", "--shading=gouraud", "--reflection=lambert",
                   "--tone=gooch-chapter", "--cool=0,0,1", "--warm=1,0.5,0", "--ambient=0.1,0.1,0",
                   "--diffuse=0,1,0", "--specular=1,1,1", "--specular-power=50", "--outline=normal",
-                  "--outline-color=1,0,0", "--backface-culling", "--opacity=1" })
+                  "--outline-color=1,0,0", "--backface-culling", "--opacity=0.3" })
       .scene.material;
   EXPECT_EQ(material.color, (Color{ 0.1, 0.2, 0.3 }));
   EXPECT_EQ(material.shading, Shading::Gouraud);
@@ -101,6 +101,7 @@ TEST(Arguments, MaterialIsRead)
   EXPECT_EQ(material.diffuse, (Color{ 0, 1, 0 }));
   EXPECT_EQ(material.specular, (Color{ 1, 1, 1 }));
   EXPECT_EQ(material.specularPower, 50);
+  EXPECT_EQ(material.opacity, 0.3);
   EXPECT_EQ(material.outline, Outline::Normal);
   EXPECT_EQ(material.outlineColor, (Color{ 1, 0, 0 }));
   EXPECT_TRUE(material.backfaceCulling);
@@ -152,6 +153,8 @@ TEST(Arguments, ReflectionOptionsThatWouldShowNothingAreRefused)
     { { "--rim=1,1,1", "--tone=gooch" }, "--rim and --tone exclude each other; give one" },
     { { "--fresnel", "--tone=gooch-chapter" },
       "--fresnel and --tone exclude each other; give one" },
+    { { "--opacity=-0.1" }, "--opacity=-0.1 is not from 0 to 1" },
+    { { "--opacity=nan" }, "--opacity=nan is not a finite number, as in --opacity=1.5" },
     { { "--roughness=1.5", "--reflection=oren-nayar" }, "--roughness=1.5 is not from 0 to 1" },
     { { "--refractive-index=0.9", "--fresnel" },
       "--refractive-index=0.9 is not at least 1, the index of air" },
@@ -343,10 +346,6 @@ TEST(Arguments, ValuesOfLaterVersionsAreNamedAsSuch)
     "--outline=hull is not served by this version; choose one of: none, normal");
   EXPECT_EQ(renderErrorOf({ "--outline=image" }),
     "--outline=image is not served by this version; choose one of: none, normal");
-  EXPECT_EQ(renderErrorOf({ "--samples=16" }),
-    "--samples=16 is not served by this version; choose one of: 1, 2, 4, 8");
-  EXPECT_EQ(renderErrorOf({ "--opacity=0.5" }),
-    "--opacity=0.5: translucency is not yet served by this version; use --opacity=1");
 }
 
 TEST(Arguments, MisspelledValuesNameTheAllowedOnes)
@@ -357,7 +356,8 @@ TEST(Arguments, MisspelledValuesNameTheAllowedOnes)
     "--colormap=jet is unknown; choose one of: viridis, cool-warm, rainbow, grayscale, "
     "black-body");
   EXPECT_EQ(renderErrorOf({ "--window=x11" }), "--window=x11 is unknown; choose one of: cpu, gl");
-  EXPECT_EQ(renderErrorOf({ "--samples=3" }), "--samples=3 is unknown; choose one of: 1, 2, 4, 8");
+  EXPECT_EQ(
+    renderErrorOf({ "--samples=3" }), "--samples=3 is unknown; choose one of: 1, 2, 4, 8, 16");
   EXPECT_EQ(
     renderErrorOf({ "--up=Y" }), "--up=Y is not an axis; choose one of: +X, -X, +Y, -Y, +Z, -Z");
 }

@@ -91,7 +91,7 @@ TEST_F(RenderErrors, CommandLine)
   expectError(mesh, { "unknown option --foo", "limn help render" }, { "--foo" });
   expectError(mesh, { "--toon-steps is not served by this version" }, { "--toon-steps=3" });
   expectError(mesh, { "no texture coordinates", "--procedural" }, { "--texture=a.png" });
-  expectError(mesh, { "--opacity=0.5", "translucency" }, { "--opacity=0.5" });
+  expectError(mesh, { "--opacity=1.5", "from 0 to 1" }, { "--opacity=1.5" });
   expectError(mesh, { "--shading=fong", "flat, gouraud, phong" }, { "--shading=fong" });
   expectError(mesh, { "--light=point:0,0,nan:1,1,1" }, { "--light=point:0,0,nan:1,1,1" });
   expectError(mesh, { "--resolution=0,0" }, { "--resolution=0,0" });

@@ -158,9 +158,11 @@ int TestLimnSelector(int, char*[])
   CHECK(cellPicker->Pick(50, 20, 0, stage.Renderer) != 0);
   CHECK_EQUAL(cellPicker->GetCellId(), 2);
 
-  // What the window does not draw is not there.
+  // What shows something can be selected, and what the window does not draw is not there.
   vtkProperty* look = stage.Actor->GetProperty();
   look->SetOpacity(0.5);
+  CHECK(select(stage, 0, 0, 99, 79) == (Selected{ { stage.Actor, { 1, 2 } } }));
+  look->SetOpacity(0);
   CHECK(select(stage, 0, 0, 99, 79).empty());
   look->SetOpacity(1);
   look->SetRepresentationToWireframe();

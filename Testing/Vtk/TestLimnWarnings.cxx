@@ -32,8 +32,6 @@ struct Case
 };
 
 const Case Cases[] = {
-  { "translucent surfaces", false,
-    [](Stage& stage) { stage.Actor->GetProperty()->SetOpacity(0.5); } },
   { "blending in the opaque pass", true,
     [](Stage& stage)
     {

@@ -177,9 +177,9 @@ void checkMultiSamples()
 {
   Stage stage;
   CHECK_EQUAL(stage.Window->GetMultiSamples(), 4);
-  const int asked[] = { 0, 1, 2, 3, 4, 5, 8, 100 };
-  const int used[] = { 1, 1, 2, 4, 4, 8, 8, 8 };
-  for (int i = 0; i < 8; ++i)
+  const int asked[] = { 0, 1, 2, 3, 4, 5, 8, 9, 100 };
+  const int used[] = { 1, 1, 2, 4, 4, 8, 8, 16, 16 };
+  for (int i = 0; i < 9; ++i)
   {
     stage.Window->SetMultiSamples(asked[i]);
     CHECK_EQUAL(stage.Window->GetSamplesPerPixel(), used[i]);

@@ -90,7 +90,12 @@ inline vtkSmartPointer<vtkTexture> MakeTexture()
 
 inline const Look Looks[] = {
   { "Surface", [](vtkActor*) {} },
-  { "Translucent", [](vtkActor* actor) { actor->GetProperty()->SetOpacity(0.4); } },
+  { "Translucent",
+    [](vtkActor* actor)
+    {
+      actor->GetProperty()->SetOpacity(0.4);
+      actor->GetProperty()->EdgeVisibilityOn();
+    } },
   { "Wireframe", [](vtkActor* actor) { actor->GetProperty()->SetRepresentationToWireframe(); } },
   { "Points",
     [](vtkActor* actor)
@@ -132,6 +137,7 @@ inline const Look Looks[] = {
     [](vtkActor* actor)
     {
       actor->GetProperty()->SetOpacity(0.7);
+      actor->GetProperty()->EdgeVisibilityOn();
       actor->GetProperty()->BackfaceCullingOn();
     } },
   { "CulledFront",
@@ -164,6 +170,7 @@ inline const Look Looks[] = {
       mapper->SelectColorArray("cell");
       mapper->SetScalarRange(3.0, 17.0);
       actor->GetProperty()->SetOpacity(0.8);
+      actor->GetProperty()->EdgeVisibilityOn();
     } },
   { "InterpolatedScalars",
     [](vtkActor* actor)
@@ -171,6 +178,7 @@ inline const Look Looks[] = {
       actor->GetMapper()->InterpolateScalarsBeforeMappingOn();
       actor->GetMapper()->SetScalarRange(-0.4, 0.5);
       actor->GetProperty()->SetOpacity(0.9);
+      actor->GetProperty()->EdgeVisibilityOn();
     } },
   { "Moved",
     [](vtkActor* actor)
@@ -197,5 +205,10 @@ inline const Look Looks[] = {
       actor->ForceOpaqueOn();
       actor->GetProperty()->SetOpacity(0.3);
     } },
-  { "ForcedTranslucent", [](vtkActor* actor) { actor->ForceTranslucentOn(); } },
+  { "ForcedTranslucent",
+    [](vtkActor* actor)
+    {
+      actor->ForceTranslucentOn();
+      actor->GetProperty()->EdgeVisibilityOn();
+    } },
 };

@@ -76,9 +76,8 @@ void drawInLimnWindow(vtkRenderer* renderer, const Surface& surface, vtkPolyData
     }
     return;
   }
-  // VTK's actors render for a selection even where they are translucent.
   auto* const selector = vtkLimnHardwareSelector::SafeDownCast(renderer->GetSelector());
-  if (selector && isDrawn && surface.actor->HasOpaqueGeometry())
+  if (selector && isDrawn)
   {
     selector->AddSurface(surface.actor, surface.mapper);
   }
@@ -113,7 +112,7 @@ void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* 
   {
     return;
   }
-  const Surface surface = surfaceOf(actor, mapper);
+  const Surface surface = surfaceOf(actor, mapper, !actor->HasOpaqueGeometry());
   if (vtkLimnRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
     drawInLimnWindow(renderer, surface, input);

@@ -257,6 +257,7 @@ std::string unusableValueOf(vtkProperty* property)
   const double roughness = property->GetRoughness();
   const double metallic = property->GetMetallic();
   const double index = property->GetBaseIOR();
+  const double opacity = property->GetOpacity();
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
   const double none[3] = { 1, 1, 1 };
   const double rimPower = limn ? limn->GetRimPower() : 1;
@@ -268,6 +269,7 @@ std::string unusableValueOf(vtkProperty* property)
     { "Diffuse", { &diffuse, 1 } },
     { "Specular", { &specular, 1 } },
     { "SpecularPower", { &power, 1 } },
+    { "Opacity", { &opacity, 1 } },
     { "Roughness", { &roughness, 1 } },
     { "Metallic", { &metallic, 1 } },
     { "EdgeTint", { property->GetEdgeTint(), 3 } },

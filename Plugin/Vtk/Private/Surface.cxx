@@ -67,19 +67,25 @@ public:
 
   void add(vtkProp* prop, vtkMatrix4x4* matrix)
   {
-    vtkActor* const actor = vtkActor::SafeDownCast(prop);
-    if (!actor || !actor->GetVisibility() || !rendersAsItself(actor))
+    if (!prop->GetVisibility())
     {
+      return;
+    }
+    vtkActor* const actor = vtkActor::SafeDownCast(prop);
+    if (!actor || !rendersAsItself(actor))
+    {
+      collected_.areAll = false;
       return;
     }
     vtkLimnPolyDataMapper* const mapper = vtkLimnPolyDataMapper::SafeDownCast(actor->GetMapper());
     if (!mapper || mapper->GetNumberOfInputConnections(0) == 0 ||
         mapper->GetNumberOfSubPieces() != 1)
     {
+      collected_.areAll = false;
       return;
     }
     vtkPolyData* const input = updateInput(mapper);
-    if (!input || !actor->HasOpaqueGeometry())
+    if (!input)
     {
       return;
     }
@@ -88,13 +94,13 @@ public:
     {
       return;
     }
-    Surface surface = surfaceOf(actor, mapper);
+    Surface surface = surfaceOf(actor, mapper, !actor->HasOpaqueGeometry());
     surface.missing = std::move(missing);
     if (matrix)
     {
       surface.modelToWorld = toMat4(matrix);
     }
-    surfaces_.push_back(std::move(surface));
+    collected_.surfaces.push_back(std::move(surface));
   }
 
   void addPaths(vtkProp* assembly)
@@ -107,12 +113,12 @@ public:
     }
   }
 
-  void reserve(std::size_t surfaces) { surfaces_.reserve(surfaces); }
-  std::vector<Surface> take() { return std::move(surfaces_); }
+  void reserve(std::size_t surfaces) { collected_.surfaces.reserve(surfaces); }
+  CollectedSurfaces take() { return std::move(collected_); }
 
 private:
   vtkRenderer* renderer_;
-  std::vector<Surface> surfaces_;
+  CollectedSurfaces collected_ = { {}, true };
 };
 
 /// Colours surface and instance by the mapper's scalars, if they are visible and textures do not
@@ -131,9 +137,24 @@ void setColors(vtkLimnPolyDataMapper* mapper, vtkPolyData* data, Instance& insta
     const unsigned char* const rgba = colors->GetPointer(4 * tuple);
     instance.material.diffuseColor = { rgba[0] / 255.0f, rgba[1] / 255.0f, rgba[2] / 255.0f };
     instance.material.ambientColor = instance.material.diffuseColor;
+    instance.material.opacity = rgba[3] / 255.0f;
     colors = nullptr;
   }
   mesh.setColors(colors, cellFlag);
+}
+
+/// As VTK's shaders: opacity times the alphas of data and textures. Of surfaces of the opaque pass
+/// none counts.
+void setTransparency(const Surface& surface, Instance& instance)
+{
+  Material& material = instance.material;
+  material.opacity =
+    surface.isTranslucent
+      ? material.opacity * static_cast<float>(surface.actor->GetProperty()->GetOpacity())
+      : 1.0f;
+  instance.style.readsAlpha =
+    surface.isTranslucent && (material.opacity >= 1 || !instance.attributes.vertexColors.empty() ||
+                               !instance.attributes.cellColors.empty() || !instance.layers.empty());
 }
 
 void complainOnce(vtkLimnPolyDataMapper* mapper)
@@ -153,13 +174,13 @@ void complainOnce(vtkLimnPolyDataMapper* mapper)
 
 } // namespace
 
-Surface surfaceOf(vtkActor* actor, vtkLimnPolyDataMapper* mapper)
+Surface surfaceOf(vtkActor* actor, vtkLimnPolyDataMapper* mapper, bool isTranslucent)
 {
   actor->ComputeMatrix();
-  return { actor, mapper, toMat4(actor->GetMatrix()) };
+  return { actor, mapper, toMat4(actor->GetMatrix()), {}, isTranslucent };
 }
 
-std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
+CollectedSurfaces surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
 {
   SurfaceCollector collector(renderer);
   vtkPropCollection* const props = renderer->GetViewProps();
@@ -226,6 +247,7 @@ bool describe(
   {
     textures->apply(surface.actor, surface.mapper, data, instance);
   }
+  setTransparency(surface, instance);
   return true;
 }
 

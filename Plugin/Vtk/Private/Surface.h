@@ -26,10 +26,11 @@ struct Surface
   vtkLimnPolyDataMapper* mapper;
   Mat4d modelToWorld;
   std::vector<Missing> missing = {}; ///< found when the surface was collected
+  bool isTranslucent = false;        ///< of the translucent pass
 };
 
 /// At the actor's own place.
-Surface surfaceOf(vtkActor* actor, vtkLimnPolyDataMapper* mapper);
+Surface surfaceOf(vtkActor* actor, vtkLimnPolyDataMapper* mapper, bool isTranslucent);
 
 enum class Assemblies
 {
@@ -37,9 +38,15 @@ enum class Assemblies
   kTraverse, ///< not while an assembly of the renderer is rendering: that changes what it traverses
 };
 
-/// The opaque surfaces of the renderer's visible actors that Limn draws, in drawing order, their
-/// input brought up to date.
-std::vector<Surface> surfacesOf(vtkRenderer* renderer, Assemblies assemblies);
+struct CollectedSurfaces
+{
+  std::vector<Surface> surfaces; ///< in drawing order, their input brought up to date
+  /// No other visible prop of the renderer may draw surfaces of Limn, as followers do.
+  bool areAll = false;
+};
+
+/// The surfaces of the renderer's visible actors that Limn draws.
+CollectedSurfaces surfacesOf(vtkRenderer* renderer, Assemblies assemblies);
 
 /// Normals that instances borrow while another actor of the same mapper may have other ones made.
 using FrameNormals = std::vector<std::shared_ptr<const SplitNormals>>;

@@ -12,6 +12,8 @@
 #include "vtkLimnPolyDataMapper.h"
 #include "vtkLimnRenderWindow.h"
 
+#include "Rendering/Base/TranslucencyBound.h"
+
 #include "vtkActor.h"
 #include "vtkCommand.h"
 #include "vtkRenderer.h"
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -122,11 +125,11 @@ void SurfacePass::beginFrame()
   EngineState::instance().beginRenderer(renderer_);
   isInPass_ = false;
   isExpecting_ = false;
-  expected_.clear();
+  expected_ = {};
   due_.clear();
 }
 
-void SurfacePass::expect(std::vector<Surface> surfaces)
+void SurfacePass::expect(CollectedSurfaces surfaces)
 {
   expected_ = std::move(surfaces);
   isExpecting_ = true;
@@ -172,20 +175,53 @@ const Surface* SurfacePass::crossOff(vtkActor* actor)
   return entry->second.surface;
 }
 
-void SurfacePass::startPass()
+void SurfacePass::startPass(bool isTranslucent)
 {
-  surfaces_ = isExpecting_ ? expected_ : surfacesOf(renderer_, Assemblies::kLeaveOut);
+  CollectedSurfaces collected =
+    isExpecting_ ? expected_ : surfacesOf(renderer_, Assemblies::kLeaveOut);
+  surfaces_ = std::move(collected.surfaces);
+  awaited_.clear();
+  isAwaiting_ = !(isExpecting_ && collected.areAll);
+  if (isAwaiting_)
+  {
+    const auto first = std::stable_partition(surfaces_.begin(), surfaces_.end(),
+      [](const Surface& surface) { return !surface.isTranslucent; });
+    awaited_.assign(std::make_move_iterator(first), std::make_move_iterator(surfaces_.end()));
+    surfaces_.erase(first, surfaces_.end());
+  }
   due_.clear();
-  for (const Surface& surface : surfaces_)
+  view_ = this->currentView();
+  timeOfView_ = 0;
+  isInPass_ = true;
+  // Where the translucent pass comes first there is nothing for the opaque one.
+  if (!isAwaiting_ || !isTranslucent)
+  {
+    this->drawDue(surfaces_);
+  }
+  if (isTranslucent)
+  {
+    this->drawAwaited();
+  }
+}
+
+void SurfacePass::drawAwaited()
+{
+  if (isAwaiting_)
+  {
+    isAwaiting_ = false;
+    this->drawDue(awaited_);
+  }
+}
+
+void SurfacePass::drawDue(const std::vector<Surface>& surfaces)
+{
+  for (const Surface& surface : surfaces)
   {
     Due& due = due_[surface.actor];
     due.surface = &surface;
     ++due.times;
   }
-  view_ = this->currentView();
-  timeOfView_ = 0;
-  isInPass_ = true;
-  this->drawTogether(surfaces_);
+  this->drawTogether(surfaces);
 }
 
 const Surface* SurfacePass::crossOff(vtkActor* actor, vtkMapper* mapper)
@@ -198,13 +234,23 @@ void SurfacePass::draw(const Surface& surface)
 {
   const bool isOfActor = surface.actor->GetMapper() == surface.mapper;
   const bool isContinued = isInPass_ && this->isSameView();
+  if (isOfActor && isContinued && surface.isTranslucent)
+  {
+    this->drawAwaited();
+    // OpenGL's renderers peel layer after layer off, and let all of them come each time.
+    if (!window() && due_.count(surface.actor) > 0)
+    {
+      this->crossOff(surface.actor);
+      return;
+    }
+  }
   if (isOfActor && (!isContinued || due_.count(surface.actor) > 0))
   {
     if (isContinued && this->crossOff(surface.actor))
     {
       return;
     }
-    this->startPass();
+    this->startPass(surface.isTranslucent);
     if (this->crossOff(surface.actor))
     {
       return;
@@ -250,10 +296,19 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
 
 Status SurfacePass::renderInto(const Scene& scene, double prepareMilliseconds)
 {
-  vtkLimnRenderWindow* const window =
-    vtkLimnRenderWindow::SafeDownCast(renderer_->GetRenderWindow());
-  return window ? this->renderInto(window, scene, prepareMilliseconds)
-                : this->renderLayer(scene, prepareMilliseconds);
+  if (vtkLimnRenderWindow* const window = this->window())
+  {
+    return this->renderInto(window, scene, prepareMilliseconds);
+  }
+  // Of one kind, as translucent surfaces wait for their pass.
+  return scene.instances[0].isTranslucent()
+           ? this->renderTranslucentLayer(scene, prepareMilliseconds)
+           : this->renderLayer(scene, prepareMilliseconds);
+}
+
+vtkLimnRenderWindow* SurfacePass::window() const
+{
+  return vtkLimnRenderWindow::SafeDownCast(renderer_->GetRenderWindow());
 }
 
 Status SurfacePass::renderInto(
@@ -276,7 +331,22 @@ Status SurfacePass::renderInto(
     window->GetFrame().ClearLater(viewport, view.clear.color);
   }
   engine.add(stats, prepareMilliseconds);
+  this->warnOfTruncation(stats.truncatedPixels);
   return status;
+}
+
+void SurfacePass::warnOfTruncation(std::size_t pixels)
+{
+  if (pixels == 0 || hasWarnedOfTruncation_)
+  {
+    return;
+  }
+  hasWarnedOfTruncation_ = true;
+  vtkWarningWithObjectMacro(renderer_,
+    "In " << pixels << " pixels too many translucent surfaces lie over each other: a row of "
+          << kTranslucentRowPixels << " pixels keeps " << kMaxTranslucentSamples
+          << " samples of them. The farthest are left out. Draw with fewer samples per pixel, or "
+             "fewer surfaces.");
 }
 
 FrameView SurfacePass::layer(int width, int height)
@@ -307,24 +377,57 @@ Status SurfacePass::renderLayer(const Scene& scene, double prepareMilliseconds)
   }
   Scene sampled = scene;
   sampled.samples = interactiveSamples(scene, renderer_, compositor()->GetSamples(renderer_));
-  EngineState& engine = EngineState::instance();
-  RenderStats stats;
-  const FrameView frame = this->layer(size[0], size[1]);
-  Status status = render(sampled, frame, engine.options, &stats);
-  engine.add(stats, prepareMilliseconds);
-  if (!status.ok())
+  vtkLimnCompositor::Layer layer;
+  const Status status =
+    this->renderInto(this->layer(size[0], size[1]), sampled, prepareMilliseconds, layer);
+  if (status.ok() && layer.Touched[0] < layer.Touched[2] && layer.Touched[1] < layer.Touched[3])
   {
-    return status;
-  }
-  const PixelRectangle& touched = stats.touched;
-  if (touched.x0 < touched.x1 && touched.y0 < touched.y1)
-  {
-    const vtkLimnCompositor::Layer layer = { size[0], size[1],
-      { touched.x0, touched.y0, touched.x1, touched.y1 }, sampled.samples, &frame.color->r,
-      frame.depth, frame.coverage };
     compositor()->Composite(renderer_, layer);
   }
-  return {};
+  return status;
+}
+
+Status SurfacePass::renderTranslucentLayer(const Scene& scene, double prepareMilliseconds)
+{
+  int size[2];
+  renderer_->GetTiledSize(&size[0], &size[1]);
+  if (!compositor() || size[0] <= 0 || size[1] <= 0)
+  {
+    return {};
+  }
+  FrameView frame = this->layer(size[0], size[1]);
+  if (!compositor()->ReadDepth(renderer_, size[0], size[1], frame.depth))
+  {
+    return {};
+  }
+  // The depths have to stay, so the others are cleared here.
+  frame.clear = {};
+  std::fill(layerColor_.begin(), layerColor_.end(), Rgba8{ 0, 0, 0, 0 });
+  std::fill(layerCoverage_.begin(), layerCoverage_.end(), std::uint8_t{ 0 });
+  Scene sampled = scene;
+  sampled.samples =
+    interactiveSamples(scene, renderer_, compositor()->GetSamplesForBlend(renderer_));
+  vtkLimnCompositor::Layer layer;
+  const Status status = this->renderInto(frame, sampled, prepareMilliseconds, layer);
+  if (status.ok() && layer.Touched[0] < layer.Touched[2] && layer.Touched[1] < layer.Touched[3])
+  {
+    compositor()->Blend(renderer_, layer);
+  }
+  return status;
+}
+
+Status SurfacePass::renderInto(const FrameView& frame, const Scene& scene,
+  double prepareMilliseconds, vtkLimnCompositor::Layer& layer)
+{
+  EngineState& engine = EngineState::instance();
+  RenderStats stats;
+  Status status = render(scene, frame, engine.options, &stats);
+  engine.add(stats, prepareMilliseconds);
+  this->warnOfTruncation(stats.truncatedPixels);
+  const PixelRectangle& touched = stats.touched;
+  layer = { frame.width, frame.height, { touched.x0, touched.y0, touched.x1, touched.y1 },
+    scene.samples, &frame.color->r, frame.depth, frame.coverage };
+  return status;
 }
 
 } // namespace limn::bridge

@@ -6,6 +6,8 @@
 #include "Surface.h"
 #include "ViewportEffects.h"
 
+#include "vtkLimnCompositor.h"
+
 #include "Rendering/Base/Array.h"
 #include "Rendering/FrameView.h"
 #include "Rendering/Renderer.h"
@@ -28,6 +30,10 @@ namespace limn::bridge
 /// VTK lets one actor after the other render. The first one of ours to come draws them all; who
 /// comes later in the same pass is crossed off. An actor that comes once more than it was drawn
 /// starts another pass, and so does a changed camera or viewport (shadow maps, tiles, stereo).
+///
+/// Translucent surfaces are drawn together with the opaque ones, sample by sample, if no others can
+/// come between. Else, and in windows of other backends, they wait for VTK's translucent pass,
+/// where the first draws them all over the one colour and depth a pixel that is there by then.
 class SurfacePass
 {
 public:
@@ -35,7 +41,7 @@ public:
 
   void beginFrame();
   /// The surfaces that will come, if they are known before the first does.
-  void expect(std::vector<Surface> surfaces);
+  void expect(CollectedSurfaces surfaces);
   void draw(const Surface& surface);
   /// For renderers of Limn's own window.
   ViewportEffects& effects() { return effects_; }
@@ -47,11 +53,18 @@ public:
 private:
   const Surface* crossOff(vtkActor* actor);
   bool isSameView();
-  void startPass();
+  void startPass(bool isTranslucent);
+  void drawAwaited();
+  void drawDue(const std::vector<Surface>& surfaces);
   void drawTogether(const std::vector<Surface>& surfaces);
   Status renderInto(const Scene& scene, double prepareMilliseconds);
   Status renderInto(vtkLimnRenderWindow* window, const Scene& scene, double prepareMilliseconds);
   Status renderLayer(const Scene& scene, double prepareMilliseconds);
+  Status renderTranslucentLayer(const Scene& scene, double prepareMilliseconds);
+  Status renderInto(const FrameView& frame, const Scene& scene, double prepareMilliseconds,
+    vtkLimnCompositor::Layer& layer);
+  vtkLimnRenderWindow* window() const;
+  void warnOfTruncation(std::size_t pixels);
   FrameView layer(int width, int height);
 
   struct View
@@ -63,11 +76,13 @@ private:
 
   vtkRenderer* renderer_;
   bool isExpecting_ = false;
-  std::vector<Surface> expected_;
+  CollectedSurfaces expected_;
   bool isInPass_ = false;
   View view_ = {};
   vtkMTimeType timeOfView_ = 0;   ///< VTK's clock when the view was last seen to be the same
   std::vector<Surface> surfaces_; ///< of the pass
+  std::vector<Surface> awaited_;  ///< likewise, the translucent ones if they have to wait
+  bool isAwaiting_ = false;
   /// By actors drawn already: their surfaces, and how often they are still to come.
   struct Due
   {
@@ -77,6 +92,7 @@ private:
   std::unordered_map<vtkActor*, Due> due_;
 
   ViewportEffects effects_;
+  bool hasWarnedOfTruncation_ = false;
 
   /// The layer for windows of other backends.
   Array<Rgba8> layerColor_;

@@ -206,7 +206,8 @@ std::vector<std::string> missingTextures(vtkActor* actor, vtkLimnPolyDataMapper*
   vtkProperty* const property = actor->GetProperty();
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
   const std::vector<vtkTexture*> ordinary = ordinaryTexturesOf(actor);
-  if (modeOf(limn) == TextureMode::kModulate &&
+  // VTK blends in the opaque pass, too.
+  if (modeOf(limn) == TextureMode::kModulate && actor->HasOpaqueGeometry() &&
       std::any_of(ordinary.begin(), ordinary.end(), letsThrough))
   {
     missing.emplace_back("textures with transparent texels");

@@ -80,7 +80,6 @@ std::vector<Missing> whatIsMissing(
     const char* feature;
     bool surfaceIsDrawn;
   } features[] = {
-    { actor->IsRenderingTranslucentPolygonalGeometry(), "translucent surfaces", false },
     { isForcedOpaque(actor, mapper), "blending in the opaque pass", true },
     { property->GetRepresentation() == VTK_WIREFRAME, "wireframes", false },
     { property->GetRepresentation() == VTK_POINTS, "surfaces as points", false },

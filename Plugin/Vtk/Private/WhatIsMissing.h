@@ -17,7 +17,7 @@ namespace limn::bridge
 /// What an actor asks for that Limn cannot draw yet.
 struct Missing
 {
-  std::string feature; ///< "translucent surfaces", ...
+  std::string feature; ///< "wireframes", ...
   bool surfaceIsDrawn; ///< without the feature the surface still is what the user expects
 };
 

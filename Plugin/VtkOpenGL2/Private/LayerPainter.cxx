@@ -90,6 +90,17 @@ const char* const WriteShare = R"(
 }
 )";
 
+// The same for colours that are multiplied by alpha.
+const char* const WriteShareOfBlended = R"(
+  int count = 0;
+  for (int i = 0; i < sampleCount; ++i)
+  {
+    count += (covered >> i) & 1;
+  }
+  gl_FragData[0] = color * (float(count) / float(sampleCount));
+}
+)";
+
 struct Rectangle
 {
   int X;
@@ -194,6 +205,16 @@ LayerPainter::LayerPainter(vtkOpenGLRenderWindow* window)
 
 bool LayerPainter::Paint(const vtkLimnCompositor::Layer& layer)
 {
+  return this->Paint(layer, Way::TestDepth);
+}
+
+bool LayerPainter::Blend(const vtkLimnCompositor::Layer& layer)
+{
+  return this->Paint(layer, Way::Blend);
+}
+
+bool LayerPainter::Paint(const vtkLimnCompositor::Layer& layer, Way way)
+{
   const Rectangle touched = TouchedRectangle(layer);
   if (touched.Width == 0 || touched.Height == 0)
   {
@@ -208,7 +229,7 @@ bool LayerPainter::Paint(const vtkLimnCompositor::Layer& layer)
                   : layer.Samples > 1                             ? Mix::Share
                                                                   : Mix::None;
   this->Upload(layer, mix);
-  this->Draw(layer, mix, framebuffer);
+  this->Draw(layer, mix, way, framebuffer);
   this->Color.Texture->Deactivate();
   this->Depth.Texture->Deactivate();
   this->Coverage.Texture->Deactivate();
@@ -241,14 +262,16 @@ void LayerPainter::Upload(const vtkLimnCompositor::Layer& layer, Mix mix)
   state->vtkglPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
 }
 
-vtkOpenGLQuadHelper& LayerPainter::ReadyQuad(Mix mix)
+vtkOpenGLQuadHelper& LayerPainter::ReadyQuad(Mix mix, Way way)
 {
-  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[mix];
+  std::unique_ptr<vtkOpenGLQuadHelper>& quad = this->Quads[{ mix, way }];
   if (!quad)
   {
+    const char* const write = mix == Mix::Masks       ? WriteSamples
+                              : way == Way::TestDepth ? WriteShare
+                                                      : WriteShareOfBlended;
     const std::string shader =
-      mix == Mix::None ? std::string(CopyPixel)
-                       : std::string(FetchPixel) + (mix == Mix::Masks ? WriteSamples : WriteShare);
+      mix == Mix::None ? std::string(CopyPixel) : std::string(FetchPixel) + write;
     quad.reset(new vtkOpenGLQuadHelper(this->Window, nullptr, shader.c_str(), nullptr));
   }
   else
@@ -258,8 +281,30 @@ vtkOpenGLQuadHelper& LayerPainter::ReadyQuad(Mix mix)
   return *quad;
 }
 
-void LayerPainter::Draw(
-  const vtkLimnCompositor::Layer& layer, Mix mix, const std::vector<SamplePoint>& framebuffer)
+void LayerPainter::SetState(Mix mix, Way way)
+{
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglDisable(GL_CULL_FACE);
+  state->vtkglEnable(GL_MULTISAMPLE);
+  if (way == Way::Blend)
+  {
+    state->vtkglEnable(GL_BLEND);
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    state->vtkglBlendEquation(GL_FUNC_ADD);
+    state->vtkglDisable(GL_DEPTH_TEST);
+    state->vtkglDepthMask(GL_FALSE);
+    return;
+  }
+  state->SetEnumState(GL_BLEND, mix == Mix::Share);
+  state->vtkglBlendFuncSeparate(
+    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthFunc(GL_LEQUAL);
+  state->vtkglDepthMask(GL_TRUE);
+}
+
+void LayerPainter::Draw(const vtkLimnCompositor::Layer& layer, Mix mix, Way way,
+  const std::vector<SamplePoint>& framebuffer)
 {
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable cullSaver(state, GL_CULL_FACE);
@@ -271,17 +316,14 @@ void LayerPainter::Draw(
   vtkOpenGLState::ScopedglDepthFunc depthFuncSaver(state);
   vtkOpenGLState::ScopedglDepthMask depthMaskSaver(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFuncSaver(state);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->SetEnumState(GL_BLEND, mix == Mix::Share);
-  state->vtkglBlendFuncSeparate(
-    GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglEnable(GL_MULTISAMPLE);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDepthMask(GL_TRUE);
+  // Of a pass that peels it is another one.
+  GLint equation[2];
+  glGetIntegerv(GL_BLEND_EQUATION_RGB, &equation[0]);
+  glGetIntegerv(GL_BLEND_EQUATION_ALPHA, &equation[1]);
+  this->SetState(mix, way);
   NarrowScissor(state, TouchedRectangle(layer));
 
-  vtkOpenGLQuadHelper& quad = this->ReadyQuad(mix);
+  vtkOpenGLQuadHelper& quad = this->ReadyQuad(mix, way);
   const float size[2] = { static_cast<float>(layer.Width), static_cast<float>(layer.Height) };
   quad.Program->SetUniform2f("layerSize", size);
   quad.Program->SetUniformi("colorPlane", this->Color.Texture->GetTextureUnit());
@@ -304,4 +346,6 @@ void LayerPainter::Draw(
     quad.Program->SetUniform1iv("layerSample", count, match.data());
   }
   quad.Render();
+  state->vtkglBlendEquationSeparate(
+    static_cast<GLenum>(equation[0]), static_cast<GLenum>(equation[1]));
 }

@@ -13,6 +13,7 @@
 
 #include <map>
 #include <memory>
+#include <utility>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -26,6 +27,8 @@ public:
   /// Draws into the current viewport, only where `layer` is touched. Requires: the window's context
   /// is current, the layer is valid and as large as the viewport. False if a texture is refused.
   bool Paint(const vtkLimnCompositor::Layer& layer);
+  /// Likewise over what is there, as vtkLimnCompositor::Blend().
+  bool Blend(const vtkLimnCompositor::Layer& layer);
 
 private:
   /// One plane of a layer, in a texture that only grows.
@@ -52,17 +55,25 @@ private:
     Share, ///< by coverage, blended
   };
 
+  enum class Way
+  {
+    TestDepth, ///< opaque
+    Blend      ///< multiplied by alpha, whatever the depth
+  };
+
+  bool Paint(const vtkLimnCompositor::Layer& layer, Way way);
   bool Reserve(const vtkLimnCompositor::Layer& layer);
   void Upload(const vtkLimnCompositor::Layer& layer, Mix mix);
-  vtkOpenGLQuadHelper& ReadyQuad(Mix mix);
-  void Draw(
-    const vtkLimnCompositor::Layer& layer, Mix mix, const std::vector<SamplePoint>& framebuffer);
+  vtkOpenGLQuadHelper& ReadyQuad(Mix mix, Way way);
+  void SetState(Mix mix, Way way);
+  void Draw(const vtkLimnCompositor::Layer& layer, Mix mix, Way way,
+    const std::vector<SamplePoint>& framebuffer);
 
   vtkOpenGLRenderWindow* Window;
   Plane Color;
   Plane Depth;
   Plane Coverage;
-  std::map<Mix, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
+  std::map<std::pair<Mix, Way>, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
 };
 
 #endif
