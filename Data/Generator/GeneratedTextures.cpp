@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Generator/GeneratedTextures.h"
 
+#include "Rendering/Scene.h"
 #include "Rendering/Texture/Procedural.h"
 #include "Rendering/Texture/SampleTexture.h"
 
@@ -147,6 +148,27 @@ GeneratedTexture planet()
     if (height < 0.5f) return {124, 100, 64};
     return {220, 220, 220};
   });
+}
+
+GeneratedTexture leadedWindow()
+{
+  constexpr int kSide = 128, kStep = 32, kBar = 4;
+  constexpr Rgba8 kLead = {40, 40, 44, 255}, kBroken = {255, 255, 255, 0};
+  constexpr Rgba8 kGlass[] = {
+      {210, 40, 30, 150}, {40, 90, 200, 110}, {240, 190, 40, 130}, {50, 150, 70, 90}};
+  GeneratedTexture texture = {kSide, kSide, 4, {}};
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      // Lozenges are the squares of these two.
+      const int rising = (x + y) % kSide, falling = (x - y + kSide) % kSide;
+      const bool isLead = rising % kStep < kBar || falling % kStep < kBar;
+      const int column = rising / kStep, row = falling / kStep;
+      const Rgba8 c = isLead                        ? kLead
+                      : (4 * row + column) % 3 == 2 ? kBroken
+                                                    : kGlass[(column + 2 * row) % 4];
+      texture.texels.insert(texture.texels.end(), {c.r, c.g, c.b, c.a});
+    }
+  return texture;
 }
 
 }  // namespace limn

@@ -32,5 +32,8 @@ GeneratedTexture brickNormals();
 inline constexpr float kBrickDepth = 0.03f;
 /// Seas, land and ice of a planet by longitude and latitude. 256 x 128, RGB.
 GeneratedTexture planet();
+/// A leaded window: opaque bars about lozenges of coloured glass, every third of which is broken
+/// and lets all through. 128 x 128, RGBA.
+GeneratedTexture leadedWindow();
 
 }  // namespace limn

@@ -17,7 +17,9 @@ bool writePng(const limn::GeneratedTexture& texture, const std::string& path)
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(texture.width);
   image.height = static_cast<png_uint_32>(texture.height);
-  image.format = texture.components == 1 ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
+  image.format = texture.components == 1   ? PNG_FORMAT_GRAY
+                 : texture.components == 3 ? PNG_FORMAT_RGB
+                                           : PNG_FORMAT_RGBA;
   // A negative stride: the lowest row comes last in the file.
   const int stride = -texture.width * texture.components;
   if (png_image_write_to_file(&image, path.c_str(), 0, texture.texels.data(), stride, nullptr) != 0)
@@ -39,5 +41,6 @@ int main(int argc, char* argv[])
   isWritten = writePng(limn::brickHeights(), folder + "brick_heights.png") && isWritten;
   isWritten = writePng(limn::brickNormals(), folder + "brick_normals.png") && isWritten;
   isWritten = writePng(limn::planet(), folder + "planet.png") && isWritten;
+  isWritten = writePng(limn::leadedWindow(), folder + "leaded_window.png") && isWritten;
   return isWritten ? 0 : 1;
 }

@@ -68,6 +68,22 @@ TEST(GeneratedTextures, NormalsOfBricksAreThoseOfTheirHeights)
   EXPECT_GT(most, 0.5f) << "bricks have steep edges";
 }
 
+TEST(GeneratedTextures, WindowHasBarsGlassAndHoles)
+{
+  const TextureImage window = imageOf(leadedWindow());
+  int bars = 0, glass = 0, holes = 0;
+  for (int y = 0; y < window.height(); ++y)
+    for (int x = 0; x < window.width(); ++x) {
+      const float alpha = window.texel(0, x, y).w;
+      ++(alpha == 1 ? bars : alpha == 0 ? holes : glass);
+      // Both diagonals are periods: nothing breaks at the border.
+      EXPECT_EQ(window.texel(0, x, y), window.texel(0, (x + 64) % 128, (y + 64) % 128));
+    }
+  EXPECT_GT(bars, 128 * 128 / 5);
+  EXPECT_GT(glass, 128 * 128 / 3);
+  EXPECT_GT(holes, 128 * 128 / 8);
+}
+
 TEST(GeneratedTextures, GridNamesItsCellsFromTheLowerLeft)
 {
   const TextureImage grid = imageOf(uvGrid());

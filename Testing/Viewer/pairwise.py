@@ -46,6 +46,7 @@ CHOICES = {
         ["--texture=Data/Textures/planet.png", "--texture-role=shaded", "--texture-wrap=clamp"],
         ["--bump=Data/Textures/brick_heights.png", "--bump-scale=0.05"],
         ["--normal-map=Data/Textures/brick_normals.png", "--lightmap=Data/Textures/brick_heights.png"],
+        ["--texture=Data/Textures/leaded_window.png"],
         ["--procedural=marble", "--texture-mode=decal"],
         ["--procedural=wood", "--procedural-scale=4"],
     ],
@@ -57,7 +58,8 @@ CHOICES = {
         ["--shading=phong", "--normals=uniform", "--feature-angle=5"],
     ],
     "camera": [[], ["--camera-orthographic"]],
-    "samples": [["--samples=" + n] for n in ("1", "2", "4", "8")],
+    "opacity": [[], ["--opacity=0.6"]],
+    "samples": [["--samples=" + n] for n in ("1", "2", "4", "8", "16")],
 }
 
 
