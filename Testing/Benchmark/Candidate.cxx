@@ -17,6 +17,7 @@
 #include <vtkOpenGLRenderer.h>
 #include <vtkPolyData.h>
 #include <vtkProperty.h>
+#include <vtkTexture.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -51,6 +52,14 @@ Candidate::Candidate(const Way& way, const Scene& scene) : Name(way.Name)
   this->Window->SetOffScreenRendering(1);
   this->Window->SetSize(scene.Width, scene.Height);
   this->Window->AddRenderer(this->Renderer);
+  vtkSmartPointer<vtkTexture> texture;
+  if (scene.Texture)
+  {
+    texture = vtkSmartPointer<vtkTexture>::New();
+    texture->SetInputData(scene.Texture);
+    texture->InterpolateOn();
+    texture->MipmapOn();
+  }
   for (const Part& part : scene.Parts)
   {
     vtkSmartPointer<vtkPolyDataMapper> mapper = way.MakeMapper();
@@ -59,6 +68,7 @@ Candidate::Candidate(const Way& way, const Scene& scene) : Name(way.Name)
     vtkSmartPointer<vtkActor> actor = way.MakeActor();
     actor->SetMapper(mapper);
     actor->GetProperty()->SetOpacity(scene.Opacity);
+    actor->SetTexture(texture);
     actor->SetPosition(part.Position[0], part.Position[1], part.Position[2]);
     this->Renderer->AddActor(actor);
   }

@@ -55,7 +55,7 @@ SceneResult Measure(const Scene& scene, int blocks)
   std::vector<std::unique_ptr<Candidate>> candidates;
   std::vector<std::vector<double>> frames(Ways().size());
   SceneResult result;
-  result.HasLimit = !scene.IsTranslucent();
+  result.HasLimit = scene.HasLimit();
   const int samples = std::max(scene.Samples, 1);
   for (const Way& way : Ways())
   {

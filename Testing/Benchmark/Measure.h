@@ -23,7 +23,7 @@ struct WayResult
 struct SceneResult
 {
   std::vector<WayResult> Ways;
-  bool HasLimit = false; ///< not for translucent surfaces, of which no kernel is measured alone
+  bool HasLimit = false; ///< Scene::HasLimit()
   Limit Bound;
   /// Limit by frame time of the first way, medians of the blocks' ratios. The frames show what the
   /// limit was measured on, and of them, as of the limit's runs, the fastest counts.

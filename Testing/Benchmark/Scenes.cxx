@@ -11,6 +11,7 @@
 #include <vtkPlaneSource.h>
 #include <vtkSampleFunction.h>
 #include <vtkSphereSource.h>
+#include <vtkTexturedSphereSource.h>
 #include <vtkTriangleFilter.h>
 
 #include <cmath>
@@ -42,7 +43,13 @@ public:
 };
 vtkStandardNewMacro(Gyroid);
 
-vtkSmartPointer<vtkPolyData> MakeTorus(int side)
+enum class Coordinates
+{
+  kNone,
+  kTexture
+};
+
+vtkSmartPointer<vtkPolyData> MakeTorus(int side, Coordinates coordinates)
 {
   vtkNew<vtkParametricTorus> torus;
   vtkNew<vtkParametricFunctionSource> source;
@@ -50,7 +57,7 @@ vtkSmartPointer<vtkPolyData> MakeTorus(int side)
   source->SetUResolution(side);
   source->SetVResolution(side);
   source->SetScalarModeToNone();
-  source->GenerateTextureCoordinatesOff();
+  source->SetGenerateTextureCoordinates(coordinates == Coordinates::kTexture);
   source->Update();
   return source->GetOutput();
 }
@@ -73,6 +80,35 @@ vtkSmartPointer<vtkPolyData> MakeSphere(int around, int along)
   sphere->SetPhiResolution(along);
   sphere->Update();
   return sphere->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> MakeTexturedSphere(int around, int along)
+{
+  vtkNew<vtkTexturedSphereSource> sphere;
+  sphere->SetThetaResolution(around);
+  sphere->SetPhiResolution(along);
+  sphere->Update();
+  return sphere->GetOutput();
+}
+
+/// Squares within squares, fine ones too: something for each level of a mip chain.
+vtkSmartPointer<vtkImageData> MakePattern()
+{
+  constexpr int kSide = 1024;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(kSide, kSide, 1);
+  image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
+  for (int y = 0; y < kSide; ++y)
+  {
+    for (int x = 0; x < kSide; ++x)
+    {
+      *texel++ = static_cast<unsigned char>((x ^ y) & 255);
+      *texel++ = static_cast<unsigned char>((x / 4 ^ y / 4) & 255);
+      *texel++ = static_cast<unsigned char>(255 - ((x / 2 + y / 2) & 127));
+    }
+  }
+  return image;
 }
 
 /// Marching cubes of a gyroid in a cube of samples^3.
@@ -115,6 +151,20 @@ Scene Translucent(Scene scene)
   return scene;
 }
 
+Scene Textured(Scene scene)
+{
+  scene.Texture = MakePattern();
+  return scene;
+}
+
+Scene Torus(int side, int samples, Coordinates coordinates)
+{
+  Scene scene;
+  scene.Parts = { { MakeTorus(side, coordinates), { 0, 0, 0 } } };
+  scene.Samples = samples;
+  return scene;
+}
+
 Scene Filling(vtkSmartPointer<vtkPolyData> data, int width, int height)
 {
   Scene scene;
@@ -130,10 +180,7 @@ Scene Filling(vtkSmartPointer<vtkPolyData> data, int width, int height)
 
 Scene TorusScene(int side, int samples)
 {
-  Scene scene;
-  scene.Parts = { { MakeTorus(side), { 0, 0, 0 } } };
-  scene.Samples = samples;
-  return scene;
+  return Torus(side, samples, Coordinates::kNone);
 }
 
 Scene SphereScene(int width, int height)
@@ -196,6 +243,9 @@ const std::vector<SceneMaker>& SceneMakers()
     named(
       "gyroid 3.5M, translucent", [] { return Translucent(Filling(MakeGyroid(300), 1280, 720)); }),
     named("4 sheets 4K, translucent", [] { return Translucent(Sheets(4)); }),
+    named("torus 2M, textured", [] { return Textured(Torus(1000, 0, Coordinates::kTexture)); }),
+    named("sphere 4K, textured",
+      [] { return Textured(Filling(MakeTexturedSphere(200, 200), 3840, 2160)); }),
   };
   return makers;
 }

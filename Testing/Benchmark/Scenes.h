@@ -3,6 +3,7 @@
 #ifndef Scenes_h
 #define Scenes_h
 
+#include <vtkImageData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 
@@ -27,10 +28,13 @@ struct Scene
   int Samples = 0; ///< as vtkRenderWindow::SetMultiSamples() takes them
   double Elevation = -50;
   double Zoom = 1;
-  double Opacity = 1; ///< below 1 VTK peels depths, as exact as it can
+  double Opacity = 1;                    ///< below 1 VTK peels depths, as exact as it can
+  vtkSmartPointer<vtkImageData> Texture; ///< if any, put over all parts with mipmaps
 
   long long CountTriangles() const;
   bool IsTranslucent() const { return this->Opacity < 1; }
+  /// Whether the limit's kernels draw it: they know neither textures nor translucent surfaces.
+  bool HasLimit() const { return !this->IsTranslucent() && !this->Texture; }
 };
 
 struct SceneMaker
