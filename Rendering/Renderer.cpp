@@ -12,6 +12,7 @@
 #include "Rendering/Post/EffectPass.h"
 #include "Rendering/Post/ResolveRadiance.h"
 #include "Rendering/Post/ResolveTile.h"
+#include "Rendering/Post/TileFrame.h"
 #include "Rendering/Raster/TranslucentTile.h"
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Reference/ReferenceEffects.h"
@@ -35,6 +36,7 @@ struct TileMemory {
   FragmentList fragments;
   TileColors colors;
   FragmentShader shader;
+  TileFrame fresh;
 };
 
 TileMemory& tileMemory()
@@ -95,10 +97,10 @@ class TranslucentLayers {
   {
   }
 
-  /// Returns the number of truncated pixels.
-  std::size_t composite(const FrameView& frame)
+  /// Returns the number of truncated pixels. The tile lies at `place` in the frame.
+  std::size_t composite(const FrameView& frame, const TileRectangle& place)
   {
-    memory_.compositor.begin(clusters_, pixels_, opaque_.fragments, opaque_.colors, frame);
+    memory_.compositor.begin(clusters_, place, opaque_.fragments, opaque_.colors, frame);
     return compositeRows({pixels_.y0, pixels_.y1});
   }
   void write() const { memory_.compositor.write(); }
@@ -146,18 +148,16 @@ void resolve(const TileClusters& clusters, const TileRectangle& pixels, const Fr
   resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
 }
 
-TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
-                   const FrameView& frame)
+/// Draws pixels of the viewport, which lie at `place` in the frame.
+TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+                       const TileRectangle& pixels, const FrameView& frame,
+                       const TileRectangle& place)
 {
-  const TileRectangle pixels = bins.grid.rectangle(tile);
-  if (isToBeCleared(frame.clear, pixels, bins.touched)) clearPixels(frame, pixels);
-  if (bins.clustersOf(tile).empty()) return {};
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
-
   const std::size_t opaque = orderClusters(scene, bins, tile, memory.ordered);
   const TileClusters clusters = {&scene, memory.ordered};
-  clearTile(frame, pixels, samples, memory.visible);
+  clearTile(frame, place, samples, memory.visible);
   TileStats stats;
   stats.occludedClusters =
       rasterizeTile({&scene, {memory.ordered.data(), opaque}}, pixels, samples, memory.visible);
@@ -166,13 +166,28 @@ TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t t
   memory.colors.hasRadiance = !frame.radiance.empty();
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
   if (opaque == memory.ordered.size()) {
-    resolve(clusters, pixels, frame, memory);
+    resolve(clusters, place, frame, memory);
     return stats;
   }
   TranslucentLayers layers(clusters, opaque, pixels, memory);
-  stats.truncatedPixels = layers.composite(frame);
-  resolve(clusters, pixels, frame, memory);
+  stats.truncatedPixels = layers.composite(frame, place);
+  resolve(clusters, place, frame, memory);
   layers.write();
+  return stats;
+}
+
+TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+                   const FrameView& frame)
+{
+  const TileRectangle pixels = bins.grid.rectangle(tile);
+  const bool isEmpty = bins.clustersOf(tile).empty();
+  if (!isToBeCleared(frame.clear, pixels, bins.touched))
+    return isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, frame, pixels);
+  TileFrame& fresh = tileMemory().fresh;
+  const FrameView& cleared = fresh.begin(frame, pixels);
+  const TileStats stats =
+      isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, cleared, fresh.pixels());
+  fresh.write();
   return stats;
 }
 

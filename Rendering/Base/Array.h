@@ -2,14 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
 namespace limn {
 
-/// Leaves new numbers as they are: the threads that fill a large array shall be the first to touch
-/// its pages, and nobody twice.
+inline constexpr std::size_t kCacheLine = 64;  ///< bytes
+
+/// Memory from the start of a cache line on. Leaves new numbers as they are: the threads that fill
+/// a large array shall be the first to touch its pages, and nobody twice.
 template <class T>
 struct UninitializedAllocator : std::allocator<T> {
   template <class U>
@@ -17,6 +21,12 @@ struct UninitializedAllocator : std::allocator<T> {
     using other = UninitializedAllocator<U>;
   };
   using std::allocator<T>::allocator;
+
+  T* allocate(std::size_t count)
+  {
+    return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t(kCacheLine)));
+  }
+  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(kCacheLine)); }
 
   template <class U>
   void construct(U* p)

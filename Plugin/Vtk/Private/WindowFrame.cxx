@@ -45,13 +45,13 @@ vtkLimnRenderWindow::vtkFrame::Region vtkLimnRenderWindow::vtkFrame::Clip(
   return { x0, y0, std::max(x1 - x0, 0), std::max(y1 - y0, 0) };
 }
 
-std::vector<limn::Rgba8>& vtkLimnRenderWindow::vtkFrame::GetColor()
+limn::Array<limn::Rgba8>& vtkLimnRenderWindow::vtkFrame::GetColor()
 {
   this->ClearNow();
   return this->Color;
 }
 
-std::vector<float>& vtkLimnRenderWindow::vtkFrame::GetDepth()
+limn::Array<float>& vtkLimnRenderWindow::vtkFrame::GetDepth()
 {
   this->ClearNow();
   return this->Depth;

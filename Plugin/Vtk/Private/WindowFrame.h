@@ -7,6 +7,7 @@
 
 #include "vtkLimnRenderWindow.h"
 
+#include "Rendering/Base/Array.h"
 #include "Rendering/Base/Executor.h"
 #include "Rendering/FrameView.h"
 
@@ -40,8 +41,8 @@ public:
   bool IsEmpty() const { return this->Color.empty(); }
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
-  std::vector<limn::Rgba8>& GetColor();
-  std::vector<float>& GetDepth();
+  limn::Array<limn::Rgba8>& GetColor();
+  limn::Array<float>& GetDepth();
 
   /// The part of `region` that lies in the window.
   Region Clip(const Region& region) const;
@@ -100,8 +101,8 @@ private:
 
   int Width = 0;
   int Height = 0;
-  std::vector<limn::Rgba8> Color;
-  std::vector<float> Depth;
+  limn::Array<limn::Rgba8> Color;
+  limn::Array<float> Depth;
   Region RegionToClear = { 0, 0, 0, 0 }; ///< empty if none is
   limn::Rgba8 ClearColor = { 0, 0, 0, 0 };
 };
