@@ -128,6 +128,34 @@ void TileCompositor::cover(const TranslucentFragments& fragments, const std::uin
   sample = {below, radiance, true};
 }
 
+/// What the pixel's only sample has without translucent surfaces.
+Rgba8 TileCompositor::opaqueColor(std::uint32_t pixel, std::ptrdiff_t index) const
+{
+  const std::uint32_t first = firstFragment_[pixel];
+  if (first == kRun) return colors_->pixel[pixel];
+  if (first != kNone) return colors_->fragment[first];
+  return frame_->background == Background::kBlend ? frame_->color[index] : Rgba8{0, 0, 0, 0};
+}
+
+/// addPixel() of one sample without radiance.
+void TileCompositor::addSinglePixel(const TranslucentFragments& fragments,
+                                    TranslucentFragments::Pixel touched)
+{
+  const TilePlace place(tile_, *frame_);
+  const std::array<float, 256>& share = shares();
+  const Rgba8 old = opaqueColor(touched.pixel, place.indexOf(touched.pixel));
+  Vec4f color = {share[old.r], share[old.g], share[old.b], share[old.a]};
+  const std::uint32_t* const layers = fragments.layers() + touched.first;
+  for (std::uint32_t i = 1; i <= layers[0]; ++i) {
+    const Vec4f c = fragments.colors()[layers[i]];
+    color = Vec4f{full(c.x), full(c.y), full(c.z), 1.0f} * c.w + color * (1.0f - c.w);
+  }
+  pixels_.push_back({touched.pixel,
+                     {toByte(color.x), toByte(color.y), toByte(color.z), toByte(color.w)},
+                     {0, 0, 0},
+                     1});
+}
+
 void TileCompositor::addPixel(const TranslucentFragments& fragments,
                               TranslucentFragments::Pixel touched)
 {
@@ -185,8 +213,12 @@ TileCompositor::Pixel TileCompositor::meanOfEqual(std::uint32_t pixel) const
 
 void TileCompositor::add(const TranslucentFragments& fragments)
 {
+  const bool isSingle = samples_ == 1 && !hasRadiance_;
   for (const TranslucentFragments::Pixel& touched : fragments.touched())
-    addPixel(fragments, touched);
+    if (isSingle)
+      addSinglePixel(fragments, touched);
+    else
+      addPixel(fragments, touched);
 }
 
 void TileCompositor::write() const

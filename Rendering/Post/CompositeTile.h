@@ -39,6 +39,8 @@ class TileCompositor {
   bool findOpaque(std::uint32_t pixel, std::ptrdiff_t index);
   void set(std::uint32_t sample, Rgba8 color, Vec3f radiance);
   Vec3f radianceOf(const RadianceArrays& from, std::size_t i) const;
+  Rgba8 opaqueColor(std::uint32_t pixel, std::ptrdiff_t index) const;
+  void addSinglePixel(const TranslucentFragments& fragments, TranslucentFragments::Pixel touched);
   void addPixel(const TranslucentFragments& fragments, TranslucentFragments::Pixel touched);
   bool haveSameLayers(const std::uint32_t* layers) const;
   void cover(const TranslucentFragments& fragments, const std::uint32_t* layers,

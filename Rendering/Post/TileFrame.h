@@ -17,10 +17,7 @@ class TileFrame {
   /// The planes that `frame` has, cleared by FrameView::clear; pixels() of it are the tile. Valid
   /// until the next call.
   const FrameView& begin(const FrameView& frame, const TileRectangle& place);
-  TileRectangle pixels() const
-  {
-    return {0, 0, place_.x1 - place_.x0, place_.y1 - place_.y0};
-  }
+  TileRectangle pixels() const { return {0, 0, place_.x1 - place_.x0, place_.y1 - place_.y0}; }
   /// Copies the tile to its place in the frame.
   void write() const;
 
