@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // What arrives from each kind of light, seen on matt surfaces: equation (12.1), pixel by pixel.
+#include "Rendering/Vertex/PlaceLights.h"
 #include "Testing/Unit/TestScene.h"
 
 #include <algorithm>
@@ -343,6 +344,25 @@ TEST_P(LightSources, BallLightsWhatLiesOutsideItLikeItsCentre)
     return gray(cosineTo(hit, way) / dot(way, way));
   };
   expectPicture(stage, draw(stage), hitPlane, lit, kRounding + 0.6);
+}
+
+TEST(SampledLights, FillTheirBallEvenly)
+{
+  constexpr int kSamples = 8192;
+  const Light light = ball({0, 0, 0}, 2, kSamples);
+  const Mat4d identity = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+  Vec3d sum = {0, 0, 0};
+  double squares = 0, inner = 0;
+  for (const ViewLight& sample : placeLights({&light, 1}, {identity, identity, false})) {
+    const Vec3d p = vec3Cast<double>(sample.position);
+    sum = sum + p;
+    squares += dot(p, p);
+    inner += dot(p, p) < 1;
+  }
+  EXPECT_NEAR(squares / kSamples, 4 * 3.0 / 5, 0.01);
+  EXPECT_NEAR(inner / kSamples, 1.0 / 8, 0.003) << "half the radius has an eighth of the volume";
+  for (const double mean : {sum.x, sum.y, sum.z})
+    EXPECT_NEAR(mean / kSamples, 0, 0.01);
 }
 
 TEST_P(LightSources, BallReachesPointsThatItsCentreDoesNot)

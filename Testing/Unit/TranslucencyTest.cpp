@@ -414,22 +414,29 @@ TEST_P(Translucency, ARowUpToTheBoundIsExactAndBeyondItKeepsTheNearest)
   }
 }
 
-/// Beyond the bound, where sheets cross in every direction.
+/// Beyond the bound, where sheets cross in every direction and their colours change within a pixel.
 TEST(TranslucencyBound, BothRenderersKeepTheSame)
 {
   Random random(11);
   std::vector<OwnedMesh> meshes;
+  std::vector<std::vector<Rgba8>> colors;
   Stage stage = pixelStage(64, 16);
   stage.height = 3;
   stage.view = parallelView({32, 1.5, 1}, {32, 1.5, 0}, 1.5);
   for (int i = 0; i < 300; ++i) {
     const auto slope = [&] { return random.between(-2, 2); };
     meshes.push_back(sheet({-20, -20, random.between(-6, -2)}, {100, slope(), slope()},
-                           {slope(), 100, slope()}));
+                           {slope(), 100, slope()}, 12));
+    colors.emplace_back();
+    const auto byte = [&] { return static_cast<std::uint8_t>(random.chance(2) ? 255 : 0); };
+    for (std::size_t v = 0; v < meshes.back().positions.size(); ++v)
+      colors.back().push_back({byte(), byte(), byte(), 255});
   }
-  for (const OwnedMesh& mesh : meshes)
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
     stage.instances.push_back(
-        glass(mesh, random.color(), static_cast<float>(random.between(0, 0.02))));
+        glass(meshes[i], {1, 1, 1}, static_cast<float>(random.between(0, 0.02))));
+    stage.instances.back().attributes.vertexColors = colors[i];
+  }
   const auto drawn = [&](Backend backend) {
     Picture picture(stage.width, stage.height);
     EXPECT_EQ(stage.drawOver(picture, backend).truncatedPixels, 64u * 3);

@@ -120,6 +120,13 @@ TEST(VertexNormals, AnEdgeIsSplitAboveTheFeatureAngleOnly)
   expectNear(smooth.normals[smooth.ofCorner[1]], vec3Cast<double>(whole[1]));
 }
 
+TEST(VertexNormals, AnEdgeAsSharpAsTheFeatureAngleIsSmooth)
+{
+  OwnedMesh mesh = cube();
+  EXPECT_EQ(split(mesh, 90).normals.size(), 8u);
+  EXPECT_EQ(split(mesh, 89.9).normals.size(), 24u);
+}
+
 TEST(VertexNormals, TheTrianglesOfACellStayTogether)
 {
   OwnedMesh mesh = roof(60);
