@@ -4,6 +4,8 @@
 // Translucent surfaces against the over operator, computed here in sorted order.
 #include "Rendering/Base/SamplePositions.h"
 #include "Rendering/Base/TranslucencyBound.h"
+#include "Rendering/Raster/TranslucentTile.h"
+#include "Rendering/Shading/TranslucentFragments.h"
 #include "Testing/Unit/TestScene.h"
 
 #include <algorithm>
@@ -448,6 +450,34 @@ TEST(TranslucencyBound, BothRenderersKeepTheSame)
     EXPECT_EQ(differences(drawn(Backend::kPipeline), expected), 0u) << target;
   }
   useTarget("");
+}
+
+/// The pieces of a clipped triangle may overlap by rounding, which random scenes never did.
+TEST(TranslucentFragments, ATriangleThatMeetsASampleTwiceCountsOnceWhereItIsNearest)
+{
+  TranslucentTile tile;
+  tile.clear();
+  const auto add = [&](std::uint32_t owner, float depth) {
+    *tile.placeEnd() = 5u << TranslucentTile::kSampleBits;
+    *tile.ownerEnd() = owner;
+    *tile.depthEnd() = depth;
+    tile.grow(1);
+  };
+  constexpr std::uint32_t kClipped = 64, kOther = 65;
+  add(kClipped, 0.5f);
+  add(kClipped, 0.3f);
+  add(kOther, 0.4f);
+  tile.notePieces();
+  TranslucentFragments fragments;
+  fragments.collect({nullptr, {}}, 1, tile);
+  ASSERT_EQ(fragments.touched().size(), 1u);
+  EXPECT_EQ(fragments.touched()[0].pixel, 5u);
+  const std::uint32_t* const layers = fragments.layers();
+  ASSERT_EQ(layers[0], 2u);
+  const TranslucentFragments::Rest& rest = fragments.rest();
+  ASSERT_EQ(rest.count, 2u);
+  EXPECT_EQ(rest.owner[layers[1]], kOther);
+  EXPECT_EQ(rest.owner[layers[2]], kClipped);
 }
 
 }  // namespace
