@@ -13,6 +13,7 @@
 #include "vtkCellData.h"
 #include "vtkFollower.h"
 #include "vtkImageData.h"
+#include "vtkFieldData.h"
 #include "vtkLookupTable.h"
 #include "vtkPlaneSource.h"
 #include "vtkPointData.h"
@@ -150,6 +151,19 @@ void checkScalars()
   actor->GetMapper()->SetColorModeToMapScalars();
   actor->GetMapper()->SetLookupTable(table);
   CHECK_COLOR(panes.Center(), 0, 102);
+
+  // One tuple of field data for all.
+  data->GetCellData()->SetScalars(nullptr);
+  colors->Reset();
+  colors->InsertNextTuple4(255, 255, 255, 255);
+  colors->InsertNextTuple4(255, 0, 0, 51);
+  colors->SetName("paint");
+  data->GetFieldData()->AddArray(colors);
+  actor->GetMapper()->SetColorModeToDirectScalars();
+  actor->GetMapper()->SetScalarModeToUseFieldData();
+  actor->GetMapper()->SelectColorArray("paint");
+  actor->GetMapper()->SetFieldDataTupleId(1);
+  CHECK_COLOR(panes.Center(), 51, 0);
 }
 
 void checkTexture()
