@@ -173,7 +173,10 @@ public:
       }
     }
   }
-  bool MovesNormals() const override { return this->TurnsNormals; }
+  bool MovesNormals() const override
+  {
+    return this->TurnsNormals || this->Superclass::MovesNormals();
+  }
 
   mutable std::atomic<vtkIdType> Points{ 0 };
 

@@ -205,13 +205,17 @@ void checkForced()
 void checkFollower()
 {
   Panes panes;
+  // With this one begins what is drawn.
+  panes.Add(makeActor(-0.9, 1, 1, 1));
   panes.Add(makeActor(0, 1, 0, 0.25));
   const auto follower = makeActor<vtkFollower>(-0.5, 0.4, 0.4, 1);
   follower->SetCamera(panes.Renderer->GetActiveCamera());
   panes.Add(follower);
   CHECK_COLOR(panes.Center(), 0.25 * 255 + 0.75 * 102, 0.75 * 102);
   follower->GetProperty()->SetOpacity(0.5);
-  CHECK_COLOR(panes.Center(), 0.5 * 102 + 0.5 * 0.25 * 255, 51);
+  const double red = 0.25 * 255 + 0.75 * 255;
+  const double green = 0.75 * 255;
+  CHECK_COLOR(panes.Center(), 0.5 * 102 + 0.5 * red, 0.5 * 102 + 0.5 * green);
 }
 
 void checkAssembly()

@@ -53,7 +53,7 @@ struct OwnedLayer
   vtkLimnCompositor::Layer View = {};
 };
 
-/// Composites a layer when its renderer draws opaque props.
+/// Composites a layer when its renderer draws opaque props, or blends it.
 class LayerProp : public vtkProp
 {
 public:
@@ -63,12 +63,19 @@ public:
   int RenderOpaqueGeometry(vtkViewport* viewport) override
   {
     vtkRenderer* renderer = static_cast<vtkRenderer*>(viewport);
+    if (this->IsBlended)
+    {
+      this->Samples = this->Compositor->GetSamplesForBlend(renderer);
+      this->Drawn = this->Layer && this->Compositor->Blend(renderer, this->Layer->Get());
+      return 1;
+    }
     this->Samples = this->Compositor->GetSamples(renderer);
     this->Drawn = this->Layer && this->Compositor->Composite(renderer, this->Layer->Get());
     return 1;
   }
 
   OwnedLayer* Layer = nullptr;
+  bool IsBlended = false;
   vtkSmartPointer<vtkLimnCompositor> Compositor;
   int Samples = 0;    ///< what GetSamples said in the last frame
   bool Drawn = false; ///< what Composite said in the last frame

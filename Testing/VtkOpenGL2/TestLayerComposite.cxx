@@ -249,6 +249,40 @@ TEST(LayerComposite, BlendsSharesWithoutMultisampling)
   EXPECT_EQ(picture.At(13, 20)[0], 26) << "a pixel without coverage was written";
 }
 
+// Likewise of a translucent layer, whose colours are multiplied by alpha already.
+TEST(LayerComposite, BlendsSharesOfTranslucentLayersWithoutMultisampling)
+{
+  GLScene scene(0);
+  OwnedLayer layer(200, 160, 4);
+  constexpr unsigned char kHalf = 128;
+  for (int i = 0; i < 3; ++i)
+  {
+    const unsigned char coverage[3] = { 0b0100, 0b0011, 0b1111 };
+    layer.Set(10 + i, 20, Orange, 1.0f, coverage[i]);
+    layer.Color[4 * (20 * 200 + 10 + i) + 3] = kHalf;
+  }
+  vtkNew<LayerProp> prop;
+  prop->Layer = &layer;
+  prop->IsBlended = true;
+  scene.Renderer->AddViewProp(prop);
+  const Picture picture = scene.Render();
+  EXPECT_TRUE(prop->Drawn);
+  EXPECT_EQ(prop->Samples, 1);
+  const double background[3] = { 0.1 * 255, 0.2 * 255, 0.3 * 255 };
+  const double share[3] = { 0.25, 0.5, 1.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      const double through = 1 - share[i] * kHalf / 255;
+      const double expected = share[i] * Orange[channel] + through * background[channel];
+      // The share, what it leaves of the background, and that itself are rounded to bytes.
+      EXPECT_NEAR(picture.At(10 + i, 20)[channel], expected, 1.5) << i;
+    }
+  }
+  EXPECT_EQ(picture.At(13, 20)[0], 26) << "a pixel without coverage was written";
+}
+
 // Only the touched rectangle counts, whatever else is in the planes or was in the last picture.
 class TouchedTest : public testing::TestWithParam<int>
 {

@@ -78,6 +78,14 @@ void AddNested(vtkRenderer* renderer, MakeActor make)
   renderer->AddActor(MakeSphere(make, -0.4, 0.3, 1.0));
 }
 
+/// What is opaque comes first.
+void AddBefore(vtkRenderer* renderer, MakeActor make)
+{
+  renderer->AddActor(MakeSphere(make, 0.2, 0.5, 1));
+  renderer->AddActor(MakePane(make, 0.8, 0.5));
+  renderer->AddActor(MakePane(make, -0.8, 0.5));
+}
+
 void AddCrossing(vtkRenderer* renderer, MakeActor make)
 {
   renderer->AddActor(MakeSphere(make, 0.3, 0.6, 0.5));
@@ -154,7 +162,7 @@ std::ostream& operator<<(std::ostream& os, const Case& one)
   return os << one.Name;
 }
 
-const Case AllCases[] = { { "Sphere", AddSphere }, { "Nested", AddNested },
+const Case AllCases[] = { { "Sphere", AddSphere }, { "Nested", AddNested }, { "Before", AddBefore },
   { "Crossing", AddCrossing }, { "Torus", AddTorus }, { "Scalars", AddScalars },
   { "Texture", AddTexture } };
 
