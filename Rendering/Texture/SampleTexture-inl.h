@@ -300,6 +300,7 @@ class GradientOfLevel {
 struct Footprint {
   V level, probes;
   Lanes2 axis;
+  bool isMagnified;
 };
 
 HWY_INLINE Footprint footprint(const TextureImage& image, const TextureSampler& sampler, Lanes2 ddx,
@@ -315,6 +316,7 @@ HWY_INLINE Footprint footprint(const TextureImage& image, const TextureSampler& 
   const V x2 = squaredLength(ddx), y2 = squaredLength(ddy);
   const M isWide = hn::Gt(x2, y2);
   const V longer2 = hn::IfThenElse(isWide, x2, y2);
+  if (hn::AllTrue(D(), hn::Le(longer2, one))) return {hn::Zero(D()), one, ddx, true};
   V probes = one, squared = longer2;
   if (sampler.maxAnisotropy > 1) {
     const V most = set(static_cast<float>(sampler.maxAnisotropy));
@@ -326,11 +328,11 @@ HWY_INLINE Footprint footprint(const TextureImage& image, const TextureSampler& 
   }
   const Lanes2 axis = choose(isWide, ddx, ddy);
   const M isMinified = hn::Gt(squared, one);
-  if (hn::AllFalse(D(), isMinified)) return {hn::Zero(D()), probes, axis};
+  if (hn::AllFalse(D(), isMinified)) return {hn::Zero(D()), probes, axis, false};
   const V coarsest = set(static_cast<float>(1 << 2 * (image.levelCount() - 1)));
   const V bounded =
       hn::IfThenElse(isMinified, hn::IfThenElse(hn::Lt(squared, coarsest), squared, coarsest), one);
-  return {hn::Mul(set(0.5f), log2Normal(bounded)), probes, axis};
+  return {hn::Mul(set(0.5f), log2Normal(bounded)), probes, axis, false};
 }
 
 HWY_INLINE WrappedUv wrapped(const TextureSampler& sampler, Lanes2 uv)
@@ -364,6 +366,9 @@ HWY_INLINE auto filtered(const TextureImage& image, const TextureSampler& sample
   const Footprint print = footprint(image, sampler, finiteOrZero(ddx), finiteOrZero(ddy));
   if (sampler.maxAnisotropy == 1)
     return mul(trilinear(image, sampler, uv, print.level, atLevel), unit);
+  // Nothing is minified: one probe in the middle of the footprint, at level 0.
+  if (print.isMagnified)
+    return mul(add(AtLevel::zero(), atLevel(wrapped(sampler, uv), levelOf(image, 0))), unit);
   auto sum = AtLevel::zero();
   const V step = hn::Div(one, hn::Add(print.probes, one));
   V i = one;
