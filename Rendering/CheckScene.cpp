@@ -150,6 +150,9 @@ Status checkMaterial(const Instance& instance, InstanceName name)
       !std::isfinite(s.coolSurface) || !std::isfinite(s.warmSurface) ||
       !std::isfinite(s.outlineThreshold))
     return {Error::kNotFinite, name + ": a style value is not finite."};
+  if (!areNotNegative({s.outlineWidth, s.outlineOpacity}) || s.outlineOpacity > 1)
+    return {Error::kNotFinite,
+            name + ": the outline's width has to be at least 0, its opacity 0 to 1."};
   return {};
 }
 

@@ -150,7 +150,14 @@ struct Style {
   float coolSurface = 0.2f, warmSurface = 0.6f;
   /// Pixels with |n.v| below this get outlineColor (figure 12.15); 0 draws no outline.
   float outlineThreshold = 0;
+  /// In its place, pixels up to outlineWidth from where n.v = 0: as g^2, g = n.v, is linear on the
+  /// screen where a surface turns away, they are g^2 / |grad g^2| from it. Antialiased: the line
+  /// covers clamp(outlineWidth + 1/2 - |g| / (2 |grad g|)) of a pixel, grad by the pixels to the
+  /// right and above in the triangle's plane.
+  bool evenOutline = false;
+  float outlineWidth = 2;  ///< pixels, >= 0; of all outlines but that by a threshold
   Vec3f outlineColor = {0, 0, 0};
+  float outlineOpacity = 1;  ///< 0 to 1; the rest is the surface's colour
   /// Gives colours in the place of the light equation, pixel by pixel; may call it. Not owned.
   const SurfaceShader* surfaceShader = nullptr;
   /// The instance is translucent, whatever its opacity, which the alpha of Attributes' colours

@@ -154,7 +154,9 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetWarmSurface(other->WarmSurface);
   this->SetOutline(other->Outline);
   this->SetOutlineThreshold(other->OutlineThreshold);
+  this->SetOutlineWidth(other->OutlineWidth);
   this->SetOutlineColor(other->OutlineColor);
+  this->SetOutlineOpacity(other->OutlineOpacity);
   this->SetTextureRole(other->TextureRole);
   this->SetTextureMode(other->TextureMode);
   this->SetProceduralTexture(other->ProceduralTexture);
@@ -196,8 +198,10 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WarmSurface: " << this->WarmSurface << "\n";
   os << indent << "Outline: " << this->GetOutlineAsString() << "\n";
   os << indent << "OutlineThreshold: " << this->OutlineThreshold << "\n";
+  os << indent << "OutlineWidth: " << this->OutlineWidth << "\n";
   os << indent;
   PrintVector(os, "OutlineColor", this->OutlineColor);
+  os << indent << "OutlineOpacity: " << this->OutlineOpacity << "\n";
   os << indent << "TextureRole: " << this->GetTextureRoleAsString() << "\n";
   os << indent << "TextureMode: " << this->GetTextureModeAsString() << "\n";
   os << indent << "ProceduralTexture: " << this->GetProceduralTextureAsString() << "\n";

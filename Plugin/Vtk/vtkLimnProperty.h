@@ -238,7 +238,9 @@ public:
 
   ///@{
   /**
-   * Normal: pixels where |n.v| is below OutlineThreshold get OutlineColor. Default: None.
+   * Normal: pixels where |n.v| is below OutlineThreshold get OutlineColor, a line that is the wider
+   * the flatter the surface turns away; with an OutlineWidth a line of that width inside the
+   * surface's border. Default: None.
    */
   vtkSetClampMacro(Outline, int, OUTLINE_NONE, OUTLINE_NORMAL);
   vtkGetMacro(Outline, int);
@@ -257,10 +259,26 @@ public:
 
   ///@{
   /**
+   * In pixels, at least 0. Default: 0, for the outline Normal a line by OutlineThreshold.
+   */
+  vtkSetMacro(OutlineWidth, double);
+  vtkGetMacro(OutlineWidth, double);
+  ///@}
+
+  ///@{
+  /**
    * Default: black.
    */
   vtkSetVector3Macro(OutlineColor, double);
   vtkGetVector3Macro(OutlineColor, double);
+  ///@}
+
+  ///@{
+  /**
+   * How much of the line is seen, 0 to 1; the rest is the surface's colour. Default: 1.
+   */
+  vtkSetClampMacro(OutlineOpacity, double, 0.0, 1.0);
+  vtkGetMacro(OutlineOpacity, double);
   ///@}
 
   enum TextureRoles
@@ -431,7 +449,9 @@ protected:
   double WarmSurface = 0.6;
   int Outline = OUTLINE_NONE;
   double OutlineThreshold = 0.2;
+  double OutlineWidth = 0.0;
   double OutlineColor[3] = { 0.0, 0.0, 0.0 };
+  double OutlineOpacity = 1.0;
   int TextureRole = TEXTURE_SHADED;
   int TextureMode = TEXTURE_MODULATE;
   int ProceduralTexture = PROCEDURAL_NONE;

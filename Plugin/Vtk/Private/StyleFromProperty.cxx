@@ -137,10 +137,14 @@ void setIllustration(vtkLimnProperty* property, Style& style)
   style.toneWarm = toVec3f(property->GetWarmColor());
   style.coolSurface = static_cast<float>(property->GetCoolSurface());
   style.warmSurface = static_cast<float>(property->GetWarmSurface());
+  style.outlineWidth = static_cast<float>(property->GetOutlineWidth());
+  style.outlineColor = toVec3f(property->GetOutlineColor());
+  style.outlineOpacity = static_cast<float>(property->GetOutlineOpacity());
   if (property->GetOutline() == vtkLimnProperty::OUTLINE_NORMAL)
   {
-    style.outlineThreshold = static_cast<float>(property->GetOutlineThreshold());
-    style.outlineColor = toVec3f(property->GetOutlineColor());
+    style.evenOutline = style.outlineWidth > 0;
+    style.outlineThreshold =
+      style.evenOutline ? 0.0f : static_cast<float>(property->GetOutlineThreshold());
   }
   if (const vtkLimnSurfaceShader* const shader = property->GetSurfaceShader())
   {
@@ -261,6 +265,8 @@ std::string unusableValueOf(vtkProperty* property)
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
   const double none[3] = { 1, 1, 1 };
   const double rimPower = limn ? limn->GetRimPower() : 1;
+  const double outlineWidth = limn ? limn->GetOutlineWidth() : 1;
+  const double outlineOpacity = limn ? limn->GetOutlineOpacity() : 1;
   const Values all[] = {
     { "AmbientColor", { property->GetAmbientColor(), 3 } },
     { "DiffuseColor", { property->GetDiffuseColor(), 3 } },
@@ -276,6 +282,8 @@ std::string unusableValueOf(vtkProperty* property)
     { "BaseIOR", { &index, 1 }, 1 },
     { "RimColor", { limn ? limn->GetRimColor() : none, 3 } },
     { "RimPower", { &rimPower, 1 } },
+    { "OutlineWidth", { &outlineWidth, 1 } },
+    { "OutlineOpacity", { &outlineOpacity, 1 } },
     { "RefractiveIndex", { limn ? limn->GetRefractiveIndex() : none, 3 }, 1 },
   };
   for (const Values& one : all)
