@@ -150,9 +150,25 @@ Status checkMaterial(const Instance& instance, InstanceName name)
       !std::isfinite(s.coolSurface) || !std::isfinite(s.warmSurface) ||
       !std::isfinite(s.outlineThreshold))
     return {Error::kNotFinite, name + ": a style value is not finite."};
+  if (s.toonBands < 0 || s.toonBands > kMaxToonBands)
+    return {Error::kNotFinite, name + ": its toon bands are not 0 to 64."};
   if (!areNotNegative({s.outlineWidth, s.outlineOpacity}) || s.outlineOpacity > 1)
     return {Error::kNotFinite,
             name + ": the outline's width has to be at least 0, its opacity 0 to 1."};
+  return {};
+}
+
+Status checkRamp(const Style& style, InstanceName name)
+{
+  if (style.tone != Tone::kRamp && style.tone != Tone::kMatCap) return {};
+  const ToneRamp& ramp = style.ramp;
+  if (ramp.image == nullptr || ramp.image->empty())
+    return {Error::kMissingData, name + ": its tone needs a picture; give it a ToneRamp::image."};
+  const bool isRange = ramp.nearest > 0 && ramp.farthest > ramp.nearest;
+  if (!areNotNegative({ramp.exponent, ramp.nearest, ramp.farthest}) ||
+      !(isRange || (ramp.nearest == 0 && ramp.farthest == 0)))
+    return {Error::kNotFinite,
+            name + ": its ramp has a negative exponent or a range that is not 0 < a < b."};
   return {};
 }
 
@@ -257,6 +273,7 @@ Status checkInstance(const Instance& instance, std::size_t number, Backend backe
   if (!isFinite(instance.modelToWorld))
     return {Error::kNotFinite, name + ": its matrix has a value that is not a finite number."};
   if (Status status = checkMaterial(instance, name); !status.ok()) return status;
+  if (Status status = checkRamp(instance.style, name); !status.ok()) return status;
   if (Status status = checkLayers(instance, name); !status.ok()) return status;
   if (backend == Backend::kPipeline) {
     if (instance.clusters == nullptr)

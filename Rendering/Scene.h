@@ -8,6 +8,7 @@
 #include "Rendering/Mesh/ClusteredMesh.h"
 #include "Rendering/Mesh/MeshView.h"
 #include "Rendering/Texture/TextureLayer.h"
+#include "Rendering/ToneStyle.h"
 
 #include <cstdint>
 
@@ -110,12 +111,6 @@ enum class Reflection : std::uint8_t {
   kMetallicRoughnessAsVtk,
 };
 
-enum class Tone : std::uint8_t {
-  kNone,
-  kGooch,         ///< warm faces the light: ((1+l.n)/2) k_warm + ((1-l.n)/2) k_cool
-  kGoochChapter,  ///< (12.6) as printed: cool faces the light
-};
-
 struct Material {
   Vec3f ambientColor = {1, 1, 1}, diffuseColor = {1, 1, 1}, specularColor = {1, 1, 1};
   float ambient = 0, diffuse = 1, specular = 0;  ///< k_a, k_d, k_s are colour times coefficient
@@ -142,12 +137,28 @@ struct Style {
   /// with the index of refraction mu, for kBlinnPhong, kPhong and kIrradiance.
   bool fresnel = false;
   bool fallOff = true;  ///< false: lights reach this instance whatever the distance
-  /// A tone replaces the diffuse term: l is that of the first light. k_cool = toneCool +
-  /// coolSurface k_d and k_warm = toneWarm + warmSurface k_d (Gooch 1998, equation 3). The
-  /// highlight k_s max(0, n.h)^p of that light, without its colour, is added.
+  /// A tone replaces the diffuse term: l is that of toneLight. k_cool = toneCool + coolSurface k_d
+  /// and k_warm = toneWarm + warmSurface k_d (Gooch 1998, equation 3).
   Tone tone = Tone::kNone;
+  ToneLight toneLight = ToneLight::kFirst;
+  ToneHighlight toneHighlight = ToneHighlight::kAdded;
   Vec3f toneCool = {0, 0, 0.4f}, toneWarm = {0.4f, 0.4f, 0};
   float coolSurface = 0.2f, warmSurface = 0.6f;
+  ToneRamp ramp;
+  /// 2 to kMaxToonBands: light, summed over all lights, in so many even steps; 0 or 1: smooth. A
+  /// value t becomes k / (N - 1) from t = k / N on, and a highlight is all or nothing, from 1/2 on.
+  /// Edges are antialiased over a pixel by the change of t to the right and above in the triangle's
+  /// plane, without bumps.
+  ///
+  /// Tones: t = (1 + l.n) / 2. Not for kRamp, whose picture has its own steps, and kMatCap.
+  /// Reflection models: the light sent back by a matt surface of k_d = 1, a colour, keeps its hue;
+  /// t is its strongest channel. The unlit have none. No Fresnel term; facets (the metallic models)
+  /// are drawn as Blinn and Phong's with p = 2 / alpha^2 - 2, k_d without the metal's share, and
+  /// F_0 for k_s. Sums of irradiance are divided by pi, as a white surface needs I = pi there.
+  /// Frequencies: kFlat gives each face one step. With kGouraud vertices are stepped and colours
+  /// interpolated, so that a step is as wide as a triangle. There, and where a surface shader asks
+  /// for light, edges are hard.
+  int toonBands = 0;
   /// Pixels with |n.v| below this get outlineColor (figure 12.15); 0 draws no outline.
   float outlineThreshold = 0;
   /// In its place, pixels up to outlineWidth from where n.v = 0: as g^2, g = n.v, is linear on the
@@ -164,6 +175,9 @@ struct Style {
   /// multiplies. Textures of kShaded and kSurface do, too, but for TextureMode::kReplace, which
   /// puts the texture's alpha in place of the colours', and kDecal, which leaves that as it is.
   bool readsAlpha = false;
+
+  /// Whether it reads what lies a pixel to the right and above.
+  bool readsFootprint() const { return evenOutline || toonBands >= 2; }
 };
 
 /// Values on a mesh. Sizes: one per vertex or one per cell of the MeshView, or empty.

@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/Power.h"
 #include "Rendering/Reference/ReferenceTextures.h"
+#include "Rendering/Reference/ReferenceTone.h"
 #include "Rendering/Texture/SampleTexture.h"
 #include "Rendering/SurfaceShader.h"
 
@@ -35,13 +36,6 @@ float positive(float x)
 Vec3f scaled(Vec3f color, float s)
 {
   return color * s;
-}
-
-/// From 0 to 1 as t does, and level there.
-float smoothStep(float t)
-{
-  const float bounded = t > 0.0f ? (t < 1.0f ? t : 1.0f) : 0.0f;
-  return bounded * bounded * (3.0f - 2.0f * bounded);
 }
 
 Arrival arrive(const ViewLight& light, Vec3f position, bool fallsOff)
@@ -93,14 +87,18 @@ bool hasPositional(const std::vector<ViewLight>& lights)
                      [](const ViewLight& light) { return light.positional(); });
 }
 
+/// What all lights send to the eye by a surface of k_d = 1 and of k_s = 1.
+struct LightSums {
+  Vec3f diffuse, specular;
+};
+
 /// VTK's own shaders (vtkOpenGLPolyDataMapper): one lone headlight has a path of its own.
-Vec3f asVtk(const Style& style, const std::vector<ViewLight>& lights, const Surface& s)
+LightSums asVtkSums(const Style& style, const std::vector<ViewLight>& lights, const Surface& s)
 {
   if (isLoneHeadlight(lights)) {
     const float df = positive(s.normal.z);
     const Vec3f light = lights[0].color;
-    return (s.ambient + s.diffuse * scaled(light, df)) +
-           s.specular * scaled(light, power(df, s.power));
+    return {scaled(light, df), scaled(light, power(df, s.power))};
   }
   const Vec3f v = normalized(-s.position);
   Vec3f diffuse = {0, 0, 0}, specular = {0, 0, 0};
@@ -111,7 +109,13 @@ Vec3f asVtk(const Style& style, const std::vector<ViewLight>& lights, const Surf
     diffuse = diffuse + scaled(light.color, at.fall * nl);
     specular = specular + scaled(light.color, at.fall * reflectedRay(at.toward, v, s));
   }
-  return (s.ambient + diffuse * s.diffuse) + specular * s.specular;
+  return {diffuse, specular};
+}
+
+Vec3f asVtk(const Style& style, const std::vector<ViewLight>& lights, const Surface& s)
+{
+  const LightSums sums = asVtkSums(style, lights, s);
+  return (s.ambient + sums.diffuse * s.diffuse) + sums.specular * s.specular;
 }
 
 constexpr float kInversePi = 0.318309886f;
@@ -155,14 +159,12 @@ Surface withRim(const Material& material, Vec3f v, Surface s)
   return s;
 }
 
-/// (12.1), (12.3) and what is like them.
-Vec3f chapter(const Scene& scene, const Instance& instance, const std::vector<ViewLight>& lights,
-              const Surface& bare)
+LightSums chapterSums(const Scene& scene, const Instance& instance,
+                      const std::vector<ViewLight>& lights, const Surface& s)
 {
   const Style& style = instance.style;
   const Reflection reflection = style.reflection;
-  const Vec3f v = towardEye(scene.camera, bare.position);
-  const Surface s = withRim(instance.material, v, bare);
+  const Vec3f v = towardEye(scene.camera, s.position);
   const Vec3f f0 = reflectedHeadOn(instance.material.refractiveIndex);
   Vec3f diffuse = {0, 0, 0}, specular = {0, 0, 0};
   for (const ViewLight& light : lights) {
@@ -178,12 +180,22 @@ Vec3f chapter(const Scene& scene, const Instance& instance, const std::vector<Vi
         reflection == Reflection::kPhong ? reflectedRay(l, v, s) : blinnPhong(l, v, s);
     if (reflection == Reflection::kIrradiance) highlight = highlight * nl;
     const Vec3f glossy = scaled(light.color, at.fall * highlight);
-    specular =
-        specular +
-        (style.fresnel ? glossy * schlick(f0, {1, 1, 1}, dot(l, normalized(l + v))) : glossy);
+    specular = specular + (style.fresnel && style.toonBands < 2
+                               ? glossy * schlick(f0, {1, 1, 1}, dot(l, normalized(l + v)))
+                               : glossy);
   }
-  const Vec3f matt = reflection == Reflection::kIrradiance ? s.diffuse * kInversePi : s.diffuse;
-  return (s.ambient * scene.ambientLight + diffuse * matt) + specular * s.specular;
+  return {diffuse, specular};
+}
+
+/// (12.1), (12.3) and what is like them.
+Vec3f chapter(const Scene& scene, const Instance& instance, const std::vector<ViewLight>& lights,
+              const Surface& bare)
+{
+  const Surface s = withRim(instance.material, towardEye(scene.camera, bare.position), bare);
+  const LightSums sums = chapterSums(scene, instance, lights, s);
+  const bool isIrradiance = instance.style.reflection == Reflection::kIrradiance;
+  const Vec3f matt = isIrradiance ? s.diffuse * kInversePi : s.diffuse;
+  return (s.ambient * scene.ambientLight + sums.diffuse * matt) + sums.specular * s.specular;
 }
 
 float atLeast(float low, float x)
@@ -238,29 +250,164 @@ Vec3f metallic(const Scene& scene, const Instance& instance, const std::vector<V
   return {power(sum.x, kEncoding), power(sum.y, kEncoding), power(sum.z, kEncoding)};
 }
 
-Vec3f toned(const Scene& scene, const Style& style, const std::vector<ViewLight>& lights,
-            const Surface& s)
+/// Where the normal is without bumps, a pixel to the right and a pixel above; null where nothing is
+/// known of that.
+using Neighbours = const Surface (*)[3];
+
+/// f at the neighbours.
+template <class Function>
+float slopeAmong(Neighbours near, Function f)
 {
-  const Vec3f l =
-      lights.empty() ? Vec3f{0, 0, 1} : arrive(lights[0], s.position, style.fallOff).toward;
-  const float nl = dot(l, s.normal);
-  const float facing = (1.0f + nl) * 0.5f, averted = (1.0f - nl) * 0.5f;
-  const Vec3f cool = style.toneCool + s.diffuse * style.coolSurface;
-  const Vec3f warm = style.toneWarm + s.diffuse * style.warmSurface;
-  const Vec3f tone = style.tone == Tone::kGoochChapter ? cool * facing + warm * averted
-                                                       : warm * facing + cool * averted;
-  const Vec3f v = towardEye(scene.camera, s.position);
-  return tone + scaled(s.specular, nl > 0.0f ? blinnPhong(l, v, s) : 0.0f);
+  return near == nullptr ? 0.0f : slopeOf({f((*near)[0]), f((*near)[1]), f((*near)[2])});
 }
 
-Vec3f lightSurface(const Scene& scene, const Instance& instance,
-                   const std::vector<ViewLight>& lights, const Surface& s)
+bool isMetallic(Reflection reflection)
+{
+  return reflection == Reflection::kMetallicRoughness ||
+         reflection == Reflection::kMetallicRoughnessAsVtk;
+}
+
+/// Facets as Blinn and Phong's model.
+Surface withoutFacets(const Material& material, Surface s)
+{
+  const float alpha = material.roughness * material.roughness;
+  const float alpha2 = alpha * alpha;
+  const float dielectric = 1.0f - material.metallic;
+  s.power = 2.0f / (alpha2 > 1e-4f ? alpha2 : 1e-4f) - 2.0f;
+  s.specular =
+      reflectedHeadOn(material.refractiveIndex) * dielectric + s.diffuse * material.metallic;
+  s.diffuse = s.diffuse * dielectric;
+  return s;
+}
+
+float strongest(Vec3f color)
+{
+  const float rg = color.x > color.y ? color.x : color.y;
+  return rg > color.z ? rg : color.z;
+}
+
+/// A colour with its hue, as strong as `strength`.
+Vec3f withStrength(Vec3f color, float strength)
+{
+  const float own = strongest(color);
+  return own > 0.0f ? color * (strength / own) : Vec3f{0, 0, 0};
+}
+
+/// A reflection model in bands; see Style::toonBands.
+Vec3f banded(const Scene& scene, const Instance& instance, const std::vector<ViewLight>& lights,
+             const Surface& bare, Neighbours near)
 {
   const Style& style = instance.style;
-  if (style.tone != Tone::kNone) return toned(scene, style, lights, s);
+  const bool asVtk = style.reflection == Reflection::kAsVtk, facets = isMetallic(style.reflection);
+  // Of a white surface that looks white.
+  const float unit = facets || style.reflection == Reflection::kIrradiance ? kInversePi : 1.0f;
+  const float exponent = facets ? withoutFacets(instance.material, bare).power : bare.power;
+  const auto sumsAt = [&](Surface s) {
+    s.power = exponent;
+    return asVtk ? asVtkSums(style, lights, s) : chapterSums(scene, instance, lights, s);
+  };
+  const auto light = [&](const Surface& s) { return strongest(sumsAt(s).diffuse) * unit; };
+  const auto highlight = [&](const Surface& s) { return strongest(sumsAt(s).specular) * unit; };
+  const float strength = stepped(light(bare), slopeAmong(near, light), style.toonBands);
+  const float glossy = onOff(highlight(bare), slopeAmong(near, highlight));
+
+  const LightSums sums = sumsAt(bare);
+  const Surface s = facets ? withoutFacets(instance.material, bare)
+                    : asVtk
+                        ? bare
+                        : withRim(instance.material, towardEye(scene.camera, bare.position), bare);
+  const Vec3f ambient = asVtk ? s.ambient : s.ambient * scene.ambientLight;
+  return (ambient + withStrength(sums.diffuse, strength) * s.diffuse) +
+         withStrength(sums.specular, glossy) * s.specular;
+}
+
+/// The tones of one instance.
+class Toning {
+ public:
+  Toning(const Scene& scene, const Style& style, const std::vector<ViewLight>& lights)
+      : camera_(scene.camera), style_(style), lights_(lights)
+  {
+  }
+
+  Vec3f color(const Surface& s, Neighbours near) const
+  {
+    if (style_.tone == Tone::kMatCap)
+      return s.diffuse * matCapColor(style_.ramp, s.normal, towardEye(camera_, s.position));
+    if (style_.tone == Tone::kRamp) return s.diffuse * ramp(s);
+    const float nl = dot(light(s), s.normal);
+    float facing = (1.0f + nl) * 0.5f, averted = (1.0f - nl) * 0.5f, glossy = highlight(s);
+    if (style_.toonBands >= 2) {
+      const auto t = [&](const Surface& at) { return (1.0f + dot(light(at), at.normal)) * 0.5f; };
+      const auto shine = [&](const Surface& at) { return highlight(at); };
+      facing = stepped(facing, slopeAmong(near, t), style_.toonBands);
+      averted = 1.0f - facing;
+      glossy = onOff(glossy, slopeAmong(near, shine));
+    }
+    const Vec3f cool = style_.toneCool + s.diffuse * style_.coolSurface;
+    const Vec3f warm = style_.toneWarm + s.diffuse * style_.warmSurface;
+    Vec3f tone = style_.tone == Tone::kGoochChapter ? cool * facing + warm * averted
+                                                    : warm * facing + cool * averted;
+    if (style_.tone == Tone::kMetal) tone = tone * metalGrey(s.normal, light(s));
+    if (style_.toneHighlight == ToneHighlight::kNone) return tone;
+    if (style_.toneHighlight == ToneHighlight::kWhite)
+      return tone * (1.0f - glossy) + Vec3f{glossy, glossy, glossy};
+    return tone + scaled(s.specular, glossy);
+  }
+
+ private:
+  /// l
+  Vec3f light(const Surface& s) const
+  {
+    constexpr float kSqrtHalf = 0.707106781f;
+    if (style_.toneLight == ToneLight::kUpperRight) return {kSqrtHalf, kSqrtHalf, 0};
+    return lights_.empty() ? Vec3f{0, 0, 1} : arrive(lights_[0], s.position, style_.fallOff).toward;
+  }
+  /// r.v
+  float reflected(const Surface& s) const
+  {
+    const Vec3f l = light(s);
+    const Vec3f r = s.normal * (2.0f * dot(s.normal, l)) - l;
+    return dot(r, towardEye(camera_, s.position));
+  }
+  float highlight(const Surface& s) const
+  {
+    switch (style_.toneHighlight) {
+      case ToneHighlight::kNone:
+        return 0.0f;
+      case ToneHighlight::kWhite: {
+        const float x = 100.0f * reflected(s) - 97.0f;
+        return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+      }
+      default: {
+        const Vec3f l = light(s), v = towardEye(camera_, s.position);
+        if (!(dot(l, s.normal) > 0.0f)) return 0.0f;
+        return style_.toneHighlight == ToneHighlight::kReflected ? reflectedRay(l, v, s)
+                                                                 : blinnPhong(l, v, s);
+      }
+    }
+  }
+  Vec3f ramp(const Surface& s) const
+  {
+    const float nv = dot(s.normal, towardEye(camera_, s.position));
+    const float detail = rampDetail(style_.ramp, camera_, {-s.position.z, nv, reflected(s)});
+    const float nl = dot(light(s), s.normal);
+    return rampColor(style_.ramp, nl > 0.0f ? nl : 0.0f, detail);
+  }
+
+  const Camera& camera_;
+  const Style& style_;
+  const std::vector<ViewLight>& lights_;
+};
+
+Vec3f lightSurface(const Scene& scene, const Instance& instance,
+                   const std::vector<ViewLight>& lights, const Surface& s,
+                   Neighbours near = nullptr)
+{
+  const Style& style = instance.style;
+  if (style.tone != Tone::kNone) return Toning(scene, style, lights).color(s, near);
+  if (style.reflection == Reflection::kNone) return s.ambient + s.diffuse;
+  if (style.toonBands >= 2) return banded(scene, instance, lights, s, near);
   switch (style.reflection) {
-    case Reflection::kNone:
-      return s.ambient + s.diffuse;
     case Reflection::kAsVtk:
       return asVtk(style, lights, s);
     case Reflection::kMetallicRoughness:
@@ -398,6 +545,12 @@ class Face {
     return viewPosition(transform_, toLocal(instance_.attributes.facePoints[cell_], origin_));
   }
   Vec3f faceNormal() const { return facing(instance_.attributes.faceNormals[cell_]); }
+  /// n.v of outlines.
+  float facingEye() const
+  {
+    const bool flat = instance_.style.frequency == ShadingFrequency::kFlat;
+    return dot(flat ? faceNormal() : pixelNormal(), towardEye(scene_.camera, pixelPosition()));
+  }
 
   /// Reflectances with the data's colour, if there is one, in place of the material's.
   Surface surface(Vec3f position, Vec3f normal, const Vec3f* dataBytes) const
@@ -600,30 +753,21 @@ Vec3f runSurfaceShader(const Face& face, const SurfacePoint& point, const Surfac
   return colors[0];
 }
 
-}  // namespace
-
-float alphaAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
-              Vec3d meshOrigin, const SurfacePoint& point)
+/// Another point of the triangle's plane.
+SurfacePoint movedTo(SurfacePoint point, const float (&weight)[3])
 {
-  float alpha = instance.material.opacity;
-  if (instance.style.readsAlpha)
-    alpha = alpha * Face(scene, instance, transform, meshOrigin, point).alpha();
-  return alpha > 0.0f ? (alpha < 1.0f ? alpha : 1.0f) : 0.0f;
+  std::copy(weight, weight + 3, point.weight);
+  return point;
 }
 
-Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
-            Vec3d meshOrigin, const std::vector<ViewLight>& lights, const SurfacePoint& point)
+/// Without the outline.
+Vec3f surfaceColor(const Scene& scene, const Instance& instance,
+                   const std::vector<ViewLight>& lights, const SurfacePoint& point,
+                   const Face& face, const Face& right, const Face& above)
 {
-  const Face face(scene, instance, transform, meshOrigin, point);
   const Style& style = instance.style;
   const bool colored = face.hasVertexColors() || face.hasCellColors();
   const bool flat = style.frequency == ShadingFrequency::kFlat;
-
-  if (style.outlineThreshold > 0.0f) {
-    const Vec3f n = flat ? face.faceNormal() : face.pixelNormal();
-    const Vec3f v = towardEye(scene.camera, face.pixelPosition());
-    if (std::fabs(dot(n, v)) < style.outlineThreshold) return style.outlineColor;
-  }
   const Vec3f dataColor = colored ? face.pixelColor() : Vec3f{};
   if (style.surfaceShader != nullptr) {
     Surface surface = face.bareSurface(face.pixelPosition(),
@@ -643,7 +787,45 @@ Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransfor
   Surface surface = flat ? face.bareSurface(face.facePosition(), face.faceNormal(), dataColor)
                          : face.bareSurface(face.pixelPosition(), face.bentNormal(), dataColor);
   face.dress(surface);
-  return finish(face, instance, surface.diffuse, lightSurface(scene, instance, lights, surface));
+  if (flat || style.toonBands < 2)
+    return finish(face, instance, surface.diffuse, lightSurface(scene, instance, lights, surface));
+  const Surface near[3] = {face.bareSurface(face.pixelPosition(), face.pixelNormal(), dataColor),
+                           face.bareSurface(right.pixelPosition(), right.pixelNormal(), dataColor),
+                           face.bareSurface(above.pixelPosition(), above.pixelNormal(), dataColor)};
+  return finish(face, instance, surface.diffuse,
+                lightSurface(scene, instance, lights, surface, &near));
+}
+
+}  // namespace
+
+float alphaAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+              Vec3d meshOrigin, const SurfacePoint& point)
+{
+  float alpha = instance.material.opacity;
+  if (instance.style.readsAlpha)
+    alpha = alpha * Face(scene, instance, transform, meshOrigin, point).alpha();
+  return alpha > 0.0f ? (alpha < 1.0f ? alpha : 1.0f) : 0.0f;
+}
+
+Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+            Vec3d meshOrigin, const std::vector<ViewLight>& lights, const SurfacePoint& point)
+{
+  const Style& style = instance.style;
+  const SurfacePoint rightPoint = movedTo(point, point.rightWeight);
+  const SurfacePoint abovePoint = movedTo(point, point.aboveWeight);
+  const Face face(scene, instance, transform, meshOrigin, point);
+  const Face right(scene, instance, transform, meshOrigin, rightPoint);
+  const Face above(scene, instance, transform, meshOrigin, abovePoint);
+
+  float line = 0.0f;
+  if (style.evenOutline)
+    line = evenLine({face.facingEye(), right.facingEye(), above.facingEye()}, style.outlineWidth);
+  else if (std::fabs(face.facingEye()) < style.outlineThreshold)
+    line = 1.0f;
+  line = line * style.outlineOpacity;
+  if (line >= 1.0f) return style.outlineColor;
+  const Vec3f color = surfaceColor(scene, instance, lights, point, face, right, above);
+  return line > 0.0f ? style.outlineColor * line + color * (1.0f - line) : color;
 }
 
 }  // namespace limn::reference

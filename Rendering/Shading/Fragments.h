@@ -74,9 +74,9 @@ struct RadianceArrays {
 /// What of texture coordinates an instance's textures read.
 struct UvUse {
   bool set[2] = {false, false};
-  bool footprint = false;  ///< how they change from pixel to pixel
+  bool footprint = false;  ///< how they, or what the style reads, change from pixel to pixel
 
-  explicit UvUse(const Instance& instance)
+  explicit UvUse(const Instance& instance) : footprint(instance.style.readsFootprint())
   {
     for (const TextureLayer& layer : instance.layers) {
       if (layer.readsUv()) set[layer.uvSet] = true;

@@ -5,6 +5,7 @@
 // operation. Compiled once per instruction set by LightFragments.cpp.
 #include "Rendering/Base/Lanes-inl.h"
 #include "Rendering/Base/Power-inl.h"
+#include "Rendering/Shading/ToneEquations-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::HWY_NAMESPACE {
@@ -32,13 +33,6 @@ struct Arrival {
   Lanes3 toward;
   V fall;
 };
-
-HWY_INLINE V smoothStep(V t)
-{
-  const V below = hn::IfThenElse(hn::Lt(t, set(1.0f)), t, set(1.0f));
-  const V bounded = hn::IfThenElseZero(isPositive(t), below);
-  return hn::Mul(hn::Mul(bounded, bounded), hn::Sub(set(3.0f), hn::Mul(set(2.0f), bounded)));
-}
 
 HWY_INLINE Arrival arrive(const ViewLight& light, Lanes3 position, bool fallsOff)
 {
@@ -101,17 +95,33 @@ HWY_INLINE V atLeast(float low, V x)
   return hn::IfThenElse(hn::Gt(x, set(low)), bounded, set(low));
 }
 
+HWY_INLINE V strongest(Lanes3 color)
+{
+  const V rg = hn::IfThenElse(hn::Gt(color.x, color.y), color.x, color.y);
+  return hn::IfThenElse(hn::Gt(rg, color.z), rg, color.z);
+}
+/// A colour with its hue, as strong as `strength`.
+HWY_INLINE Lanes3 withStrength(Lanes3 color, V strength)
+{
+  const V own = strongest(color);
+  return choose(isPositive(own), mul(color, hn::Div(strength, own)), set(Vec3f{0, 0, 0}));
+}
+
 /// All the context of a batch that does not change from lane to lane.
 class Lighting {
  public:
+  /// Surfaces where the normal is without bumps, a pixel to the right and a pixel above.
+  using Neighbours = Surface[3];
+
   explicit Lighting(const ShadingContext& context)
       : camera_(context.scene->scene->camera),
         lights_(context.scene->lights),
         ambientLight_(context.scene->scene->ambientLight),
         material_(context.placed->instance->material),
         style_(context.placed->instance->style),
+        ramp_(style_.ramp, camera_),
         isLoneHeadlight_(style_.tone == Tone::kNone && style_.reflection == Reflection::kAsVtk &&
-                         hasLoneHeadlight()),
+                         style_.toonBands < 2 && hasLoneHeadlight()),
         isMatt_(isLoneHeadlight_ && isMatt(material_, lights_[0])),
         isSpecial_(isSpecial(material_, style_))
   {
@@ -137,6 +147,14 @@ class Lighting {
     if (style_.reflection == Reflection::kNone) return add(s.ambient, s.diffuse);
     return style_.reflection == Reflection::kAsVtk ? asVtk(s) : chapter(s, chapterSums(s));
   }
+  /// Whether light() is to be told about neighbours.
+  bool readsNeighbours() const { return style_.toonBands >= 2; }
+  /// light() with the edges of bands antialiased.
+  HWY_NOINLINE Lanes3 light(const Surface& s, const Neighbours& near) const
+  {
+    if (style_.tone != Tone::kNone) return toned(s, &near);
+    return isSpecial_ ? banded(s, &near) : light(s);
+  }
 
  private:
   /// Whether the highlight of a lone headlight adds 0, not 0 times infinity.
@@ -151,6 +169,7 @@ class Lighting {
   static bool isSpecial(const Material& material, const Style& style)
   {
     if (style.tone != Tone::kNone) return false;
+    if (style.toonBands >= 2) return style.reflection != Reflection::kNone;
     switch (style.reflection) {
       case Reflection::kNone:
       case Reflection::kAsVtk:
@@ -164,7 +183,15 @@ class Lighting {
         return true;
     }
   }
-  bool hasFresnel() const { return style_.fresnel && style_.reflection != Reflection::kLambert; }
+  bool hasFresnel() const
+  {
+    return style_.fresnel && style_.toonBands < 2 && style_.reflection != Reflection::kLambert;
+  }
+  bool isMetallic() const
+  {
+    return style_.reflection == Reflection::kMetallicRoughness ||
+           style_.reflection == Reflection::kMetallicRoughnessAsVtk;
+  }
   static bool hasRim(const Material& material) { return !(material.rim == Vec3f{0, 0, 0}); }
   bool hasLoneHeadlight() const
   {
@@ -222,10 +249,14 @@ class Lighting {
         });
   }
 
-  Lanes3 asVtk(const Surface& s) const
+  HWY_INLINE Reflected asVtkSums(const Surface& s) const
   {
     const Lanes3 v = normalized(neg(s.position));
-    const Reflected sums = sum(s, [&](Lanes3 l, V) HWY_ATTR { return reflectedRay(l, v, s); });
+    return sum(s, [&](Lanes3 l, V) HWY_ATTR { return reflectedRay(l, v, s); });
+  }
+  Lanes3 asVtk(const Surface& s) const
+  {
+    const Reflected sums = asVtkSums(s);
     return add(add(s.ambient, mul(sums.diffuse, s.diffuse)), mul(sums.specular, s.specular));
   }
 
@@ -250,7 +281,7 @@ class Lighting {
     const Lanes3 v = towardEye(s.position);
     const auto highlight = [&](Lanes3 l, V nl)
                                HWY_ATTR { return hn::Mul(blinnPhong(l, v, s), nl); };
-    return style_.fresnel ? sumWithFresnel(s, v, highlight) : sum(s, highlight);
+    return hasFresnel() ? sumWithFresnel(s, v, highlight) : sum(s, highlight);
   }
   HWY_NOINLINE Reflected fresnelSums(const Surface& s) const
   {
@@ -278,21 +309,24 @@ class Lighting {
   /// Apart from light(), whose code for the models above stays short.
   HWY_NOINLINE Lanes3 special(const Surface& bare) const
   {
-    if (style_.reflection == Reflection::kMetallicRoughness ||
-        style_.reflection == Reflection::kMetallicRoughnessAsVtk)
-      return metallic(bare);
+    if (style_.toonBands >= 2) return banded(bare, nullptr);
+    if (isMetallic()) return metallic(bare);
     const Surface s = prepared(bare);
     return chapter(s, specialSums(s));
   }
-  /// With velvet's rim, and with reflectance in place of k_d where the model asks for it.
-  Surface prepared(Surface s) const
+  Surface withRim(Surface s) const
   {
-    if (hasRim(material_)) {
-      const V facing = positive(dot(s.normal, towardEye(s.position)));
-      const V grazing = powerOf(positive(hn::Sub(set(1.0f), facing)), material_.rimPower);
-      s.ambient = add(s.ambient, mul(set(material_.rim), grazing));
-      s.diffuse = add(s.diffuse, mul(set(material_.rim), grazing));
-    }
+    if (!hasRim(material_)) return s;
+    const V facing = positive(dot(s.normal, towardEye(s.position)));
+    const V grazing = powerOf(positive(hn::Sub(set(1.0f), facing)), material_.rimPower);
+    s.ambient = add(s.ambient, mul(set(material_.rim), grazing));
+    s.diffuse = add(s.diffuse, mul(set(material_.rim), grazing));
+    return s;
+  }
+  /// With velvet's rim, and with reflectance in place of k_d where the model asks for it.
+  Surface prepared(const Surface& bare) const
+  {
+    Surface s = withRim(bare);
     if (style_.reflection == Reflection::kIrradiance) s.diffuse = mul(s.diffuse, set(kInversePi));
     return s;
   }
@@ -362,20 +396,126 @@ class Lighting {
             powerOf(result.z, kEncoding)};
   }
 
-  Lanes3 toned(const Surface& s) const
+  /// Facets as Blinn and Phong's model.
+  Surface withoutFacets(Surface s) const
   {
-    const Lanes3 l = lights_.empty() ? set(Vec3f{0, 0, 1})
-                                     : arrive(lights_[0], s.position, style_.fallOff).toward;
+    const Material& m = material_;
+    const float alpha = m.roughness * m.roughness;
+    const float alpha2 = alpha * alpha;
+    const float dielectric = 1.0f - m.metallic;
+    s.power = 2.0f / (alpha2 > 1e-4f ? alpha2 : 1e-4f) - 2.0f;
+    s.specular =
+        add(set(reflectedHeadOn(m.refractiveIndex) * dielectric), mul(s.diffuse, set(m.metallic)));
+    s.diffuse = mul(s.diffuse, set(dielectric));
+    return s;
+  }
+  Reflected bandedSums(const Surface& s) const
+  {
+    if (style_.reflection != Reflection::kAsVtk) return specialSums(s);
+    if (!hasLoneHeadlight()) return asVtkSums(s);
+    const V df = positive(s.normal.z);
+    const Lanes3 color = set(lights_[0].color);
+    return {mul(color, df), mul(color, powerOf(df, s.power))};
+  }
+  /// A reflection model in bands; see ReferenceShading.cpp.
+  HWY_NOINLINE Lanes3 banded(const Surface& bare, const Neighbours* near) const
+  {
+    const bool asVtk = style_.reflection == Reflection::kAsVtk, facets = isMetallic();
+    const V unit = set(facets || style_.reflection == Reflection::kIrradiance ? kInversePi : 1.0f);
+    const Surface s = facets ? withoutFacets(bare) : asVtk ? bare : withRim(bare);
+    V matt[4], glossy[4];
+    const auto measure = [&](int i, const Surface& at) HWY_ATTR {
+      Surface point = at;
+      point.power = s.power;
+      const Reflected sums = bandedSums(point);
+      matt[i] = hn::Mul(strongest(sums.diffuse), unit);
+      glossy[i] = hn::Mul(strongest(sums.specular), unit);
+      return sums;
+    };
+    const Reflected sums = measure(0, s);
+    V mattSlope = set(0.0f), glossySlope = mattSlope;
+    if (near != nullptr) {
+      for (int i = 0; i < 3; ++i)
+        measure(i + 1, (*near)[i]);
+      mattSlope = slopeOf({matt[1], matt[2], matt[3]});
+      glossySlope = slopeOf({glossy[1], glossy[2], glossy[3]});
+    }
+    const V strength = stepped(matt[0], mattSlope, style_.toonBands);
+    const V shine = onOff(glossy[0], glossySlope);
+    const Lanes3 ambient = asVtk ? s.ambient : mul(s.ambient, set(ambientLight_));
+    return add(add(ambient, mul(withStrength(sums.diffuse, strength), s.diffuse)),
+               mul(withStrength(sums.specular, shine), s.specular));
+  }
+
+  /// l of tones.
+  HWY_INLINE Lanes3 toneLight(const Surface& s) const
+  {
+    constexpr float kSqrtHalf = 0.707106781f;
+    if (style_.toneLight == ToneLight::kUpperRight) return set(Vec3f{kSqrtHalf, kSqrtHalf, 0});
+    return lights_.empty() ? set(Vec3f{0, 0, 1})
+                           : arrive(lights_[0], s.position, style_.fallOff).toward;
+  }
+  /// r.v
+  HWY_INLINE V reflected(const Surface& s, Lanes3 l) const
+  {
+    const V twice = hn::Mul(set(2.0f), dot(s.normal, l));
+    return dot(sub(mul(s.normal, twice), l), towardEye(s.position));
+  }
+  HWY_INLINE V toneHighlight(const Surface& s, Lanes3 l) const
+  {
+    if (style_.toneHighlight == ToneHighlight::kNone) return set(0.0f);
+    if (style_.toneHighlight == ToneHighlight::kWhite)
+      return bounded(hn::Sub(hn::Mul(set(100.0f), reflected(s, l)), set(97.0f)), 0.0f, 1.0f);
+    const Lanes3 v = towardEye(s.position);
+    const V highlight = style_.toneHighlight == ToneHighlight::kReflected ? reflectedRay(l, v, s)
+                                                                          : blinnPhong(l, v, s);
+    return hn::IfThenElseZero(isPositive(dot(l, s.normal)), highlight);
+  }
+  Lanes3 toned(const Surface& s, const Neighbours* near = nullptr) const
+  {
+    if (style_.tone == Tone::kRamp || style_.tone == Tone::kMatCap) return painted(s);
+    const Lanes3 l = toneLight(s);
     const V nl = dot(l, s.normal);
-    const V facing = hn::Mul(hn::Add(set(1.0f), nl), set(0.5f));
-    const V averted = hn::Mul(hn::Sub(set(1.0f), nl), set(0.5f));
+    V facing = hn::Mul(hn::Add(set(1.0f), nl), set(0.5f));
+    V averted = hn::Mul(hn::Sub(set(1.0f), nl), set(0.5f));
+    V highlight = toneHighlight(s, l);
+    if (style_.toonBands >= 2) stepTone(near, facing, averted, highlight);
     const Lanes3 cool = add(set(style_.toneCool), mul(s.diffuse, set(style_.coolSurface)));
     const Lanes3 warm = add(set(style_.toneWarm), mul(s.diffuse, set(style_.warmSurface)));
-    const Lanes3 tone = style_.tone == Tone::kGoochChapter
-                            ? add(mul(cool, facing), mul(warm, averted))
-                            : add(mul(warm, facing), mul(cool, averted));
+    Lanes3 tone = style_.tone == Tone::kGoochChapter ? add(mul(cool, facing), mul(warm, averted))
+                                                     : add(mul(warm, facing), mul(cool, averted));
+    if (style_.tone == Tone::kMetal) tone = mul(tone, metalGrey(s.normal, l));
+    if (style_.toneHighlight == ToneHighlight::kNone) return tone;
+    if (style_.toneHighlight == ToneHighlight::kWhite)
+      return add(mul(tone, hn::Sub(set(1.0f), highlight)), {highlight, highlight, highlight});
+    return add(tone, mul(s.specular, highlight));
+  }
+  HWY_NOINLINE void stepTone(const Neighbours* near, V& facing, V& averted, V& highlight) const
+  {
+    V slope = set(0.0f), shineSlope = slope;
+    if (near != nullptr) {
+      V t[3], shine[3];
+      for (int i = 0; i < 3; ++i) {
+        const Surface& at = (*near)[i];
+        const Lanes3 l = toneLight(at);
+        t[i] = hn::Mul(hn::Add(set(1.0f), dot(l, at.normal)), set(0.5f));
+        shine[i] = toneHighlight(at, l);
+      }
+      slope = slopeOf({t[0], t[1], t[2]});
+      shineSlope = slopeOf({shine[0], shine[1], shine[2]});
+    }
+    facing = stepped(facing, slope, style_.toonBands);
+    averted = hn::Sub(set(1.0f), facing);
+    highlight = onOff(highlight, shineSlope);
+  }
+  /// By a picture.
+  HWY_NOINLINE Lanes3 painted(const Surface& s) const
+  {
     const Lanes3 v = towardEye(s.position);
-    return add(tone, mul(s.specular, hn::IfThenElseZero(isPositive(nl), blinnPhong(l, v, s))));
+    if (style_.tone == Tone::kMatCap) return mul(s.diffuse, ramp_.matCap(s.normal, v));
+    const Lanes3 l = toneLight(s);
+    const V detail = ramp_.detail(hn::Neg(s.position.z), dot(s.normal, v), reflected(s, l));
+    return mul(s.diffuse, ramp_.colorAt(positive(dot(l, s.normal)), detail));
   }
 
   const Camera& camera_;
@@ -383,6 +523,7 @@ class Lighting {
   Vec3f ambientLight_;
   const Material& material_;
   const Style& style_;
+  Ramp ramp_;
   bool isLoneHeadlight_, isMatt_, isSpecial_;
 };
 

@@ -96,6 +96,15 @@ class FragmentLanes {
   }
 
   void setWeights(const CornerWeights& weights) { weights_ = weights; }
+  /// The same where these are the weights.
+  FragmentLanes movedTo(const float* const (&weight)[3]) const
+  {
+    FragmentLanes moved = *this;
+    for (int k = 0; k < 3; ++k)
+      moved.weights_.here[k] = weight[k];
+    return moved;
+  }
+  const CornerWeights& weights() const { return weights_; }
 
   HWY_INLINE Lanes3 mix(Lanes3 a, Lanes3 b, Lanes3 c) const
   {
@@ -340,6 +349,8 @@ class Shader {
       : lighting_(lighting),
         style_(context.placed->instance->style),
         layers_(context.placed->instance->layers),
+        isPlain_(layers_.empty() && !lighting.readsNeighbours()),
+        isOutlined_(style_.outlineThreshold > 0.0f || style_.evenOutline),
         lanes_(context, batch, lanes)
   {
   }
@@ -355,8 +366,8 @@ class Shader {
   /// Whether all fragments with the same corners have the same colour.
   bool isConstant() const
   {
-    return style_.frequency == ShadingFrequency::kFlat && !lanes_.vertexColored() &&
-           !(style_.outlineThreshold > 0.0f) && layers_.empty();
+    return style_.frequency == ShadingFrequency::kFlat && !lanes_.vertexColored() && !isOutlined_ &&
+           layers_.empty();
   }
 
   /// Material::opacity times what Style::readsAlpha asks for; 0 to 1.
@@ -375,7 +386,7 @@ class Shader {
   HWY_INLINE Lanes3 colorAt(const CornerWeights& weights)
   {
     lanes_.setWeights(weights);
-    return outlined(layers_.empty() ? shade() : shadeTextured());
+    return outlined(isPlain_ ? shade() : shadeSpecial());
   }
 
   /// For surface shaders: what is lit at each fragment, whatever the frequency.
@@ -414,7 +425,8 @@ class Shader {
     return light(lighting_.readsPosition() ? lanes_.pixelPosition() : none(), lanes_.pixelNormal(),
                  color);
   }
-  Lanes3 shadeTextured() const
+  /// With textures, or with bands of tone.
+  Lanes3 shadeSpecial() const
   {
     const Lanes3 data = lanes_.colored() ? lanes_.pixelColor() : none();
     const Lanes3* const own = lanes_.colored() ? &data : nullptr;
@@ -426,7 +438,24 @@ class Shader {
             : lanes_.surface(lighting_.readsPosition() ? lanes_.pixelPosition() : none(),
                              lanes_.bentNormal(), own);
     lanes_.dress(surface);
-    return finish(surface.diffuse, lighting_.light(surface));
+    return finish(surface.diffuse,
+                  lighting_.readsNeighbours() && style_.frequency == ShadingFrequency::kPhong
+                      ? lightInBands(surface)
+                      : lighting_.light(surface));
+  }
+  HWY_NOINLINE Lanes3 lightInBands(const Surface& surface) const
+  {
+    const CornerWeights& weights = lanes_.weights();
+    const FragmentLanes<Lanes> right = lanes_.movedTo(weights.right);
+    const FragmentLanes<Lanes> above = lanes_.movedTo(weights.above);
+    const auto at = [&](const FragmentLanes<Lanes>& lanes) HWY_ATTR {
+      Surface moved = surface;
+      moved.position = lanes.pixelPosition();
+      moved.normal = lanes.pixelNormal();
+      return moved;
+    };
+    const Surface near[3] = {at(lanes_), at(right), at(above)};
+    return lighting_.light(surface, near);
   }
   /// What textures do after the light equation.
   Lanes3 finish(Lanes3 diffuse, Lanes3 color) const
@@ -451,21 +480,39 @@ class Shader {
   }
   HWY_INLINE Lanes3 outlined(Lanes3 color) const
   {
-    return style_.outlineThreshold > 0.0f ? choose(onOutline(), set(style_.outlineColor), color)
-                                          : color;
+    if (!isOutlined_) return color;
+    if (style_.evenOutline || style_.outlineOpacity < 1.0f) return blendedOutline(color);
+    return choose(onOutline(), set(style_.outlineColor), color);
   }
-  /// Pixels with |n.v| below the threshold, figure 12.15.
-  M onOutline() const
+  HWY_NOINLINE Lanes3 blendedOutline(Lanes3 color) const
+  {
+    V line = hn::IfThenElseZero(onOutline(), set(1.0f));
+    if (style_.evenOutline) {
+      const CornerWeights& weights = lanes_.weights();
+      line = evenLine({facingEye(lanes_), facingEye(lanes_.movedTo(weights.right)),
+                       facingEye(lanes_.movedTo(weights.above))},
+                      style_.outlineWidth);
+    }
+    line = hn::Mul(line, set(style_.outlineOpacity));
+    const V one = set(1.0f);
+    const Lanes3 outline = set(style_.outlineColor);
+    const Lanes3 mixed = add(mul(outline, line), mul(color, hn::Sub(one, line)));
+    return choose(hn::Ge(line, one), outline, choose(isPositive(line), mixed, color));
+  }
+  /// n.v
+  V facingEye(const FragmentLanes<Lanes>& lanes) const
   {
     const Lanes3 n =
-        style_.frequency == ShadingFrequency::kFlat ? lanes_.faceNormal() : lanes_.pixelNormal();
-    const Lanes3 v = lighting_.towardEye(lanes_.pixelPosition());
-    return hn::Lt(hn::Abs(dot(n, v)), set(style_.outlineThreshold));
+        style_.frequency == ShadingFrequency::kFlat ? lanes.faceNormal() : lanes.pixelNormal();
+    return dot(n, lighting_.towardEye(lanes.pixelPosition()));
   }
+  /// Pixels with |n.v| below the threshold, figure 12.15.
+  M onOutline() const { return hn::Lt(hn::Abs(facingEye(lanes_)), set(style_.outlineThreshold)); }
 
   const Lighting& lighting_;
   const Style& style_;
   Span<const TextureLayer> layers_;
+  bool isPlain_, isOutlined_;
   FragmentLanes<Lanes> lanes_;
   // Not left to a default constructor, which GCC compiles without the target's instructions.
   Lanes3 lit_[3] = {none(), none(), none()};

@@ -144,6 +144,28 @@ TEST_P(EveryTarget, ReflectsLikeTheReference)
   }
 }
 
+TEST_P(EveryTarget, TonesLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 400; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kTones);
+    Picture expected = random.canvas(), actual = random.canvas();
+    if (seed % 4 == 0)
+      for (Picture* picture : {&expected, &actual})
+        picture->addRadiance();
+    const RenderOptions options = {Backend::kPipeline, kThreads[seed % 4]};
+    ASSERT_TRUE(
+        render(random.scene(), expected.frame(random.background()), {Backend::kReference, 1}).ok());
+    ASSERT_TRUE(render(random.scene(), actual.frame(random.background()), options).ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    const Picture plain = drawn(RandomScene(seed), {Backend::kPipeline, 2});
+    for (std::size_t i = 0; i < plain.color.size(); ++i)
+      changedPixels += plain.color[i].g != actual.color[i].g;
+  }
+  EXPECT_GT(changedPixels, 500000u) << "tones must show";
+}
+
 TEST_P(EveryTarget, RunsShadersLikeTheReference)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};

@@ -209,10 +209,15 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   placeCamera(random);
   if (detail == Detail::kLights) addLights();
   const bool isShaded = detail == Detail::kShaders;
-  const bool isTranslucent = detail == Detail::kTranslucent || detail == Detail::kFineTranslucent;
-  if (detail == Detail::kReflections || isShaded) addReflections();
-  if (detail == Detail::kTextures || isShaded || (isTranslucent && seed % 5 == 0)) addTextures();
+  const bool isToned = detail == Detail::kTones;
+  const bool isTranslucent = detail == Detail::kTranslucent || detail == Detail::kFineTranslucent ||
+                             (isToned && seed % 5 == 2);
+  if (detail == Detail::kReflections || isShaded || isToned) addReflections();
+  if (detail == Detail::kTextures || isShaded || (isTranslucent && seed % 5 == 0) ||
+      (isToned && seed % 3 == 0))
+    addTextures();
   if (isTranslucent) addTranslucency();
+  if (isToned) addTones();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -221,7 +226,8 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   scene_.resolve = random.chance(4) ? Resolve::kLinear : Resolve::kGamma22;
   background_ = random.chance(2) ? Background::kBlend : Background::kKeepApart;
   if (detail == Detail::kPost) addEffects(Random(seed ^ 0xB100Du));
-  if (isShaded || (isTranslucent && seed % 7 == 0)) addShaders(Random(seed ^ 0x54ADEu));
+  if (isShaded || ((isTranslucent || isToned) && seed % 7 == 0))
+    addShaders(Random(seed ^ 0x54ADEu));
 }
 
 Picture RandomScene::canvas() const
@@ -243,9 +249,10 @@ void RandomScene::addMesh(Random& random, Detail detail)
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
   std::vector<Vec3d> points =
       detail == Detail::kFine || detail == Detail::kFineTranslucent ? makeBumpySphere(random, *mesh)
-      : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
-                                       detail == Detail::kTranslucent) &&
-                                      seed_ % 2 == 0)
+      : detail == Detail::kCoarse ||
+              ((detail == Detail::kTextures || detail == Detail::kShaders ||
+                detail == Detail::kTranslucent || detail == Detail::kTones) &&
+               seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
@@ -461,6 +468,37 @@ void RandomScene::addTranslucency()
         static_cast<float>(random.chance(5) ? random.below(2) : random.between(0, 1));
     instance.style.readsAlpha = random.chance(2);
     if (random.chance(2)) instance.material.diffuse *= 5;
+  }
+}
+
+void RandomScene::addTones()
+{
+  Random random(seed_ ^ 0x70E5u);
+  if (images_.empty()) addImages(random);
+  const auto number = [&](double low, double high) {
+    return static_cast<float>(random.between(low, high));
+  };
+  for (Instance& instance : instances_) {
+    Style& style = instance.style;
+    if (random.chance(2)) style.frequency = ShadingFrequency::kPhong;
+    style.tone = static_cast<Tone>(random.below(6));
+    style.toneLight = static_cast<ToneLight>(random.below(2));
+    style.toneHighlight = static_cast<ToneHighlight>(random.below(4));
+    style.toonBands = static_cast<int>(random.chance(3) ? random.below(2) : random.below(12));
+    if (random.chance(9)) style.toonBands = kMaxToonBands;
+    style.ramp.image = images_[random.below(static_cast<std::uint32_t>(images_.size()))].get();
+    style.ramp.detail = static_cast<RampDetail>(random.below(3));
+    style.ramp.exponent = number(0, 20);
+    if (random.chance(2)) {
+      style.ramp.nearest = number(0.01, 2);
+      style.ramp.farthest = style.ramp.nearest * number(1.01, 9);
+    }
+    style.outlineThreshold = random.chance(3) ? number(0, 0.6) : 0.0f;
+    style.evenOutline = random.chance(3);
+    style.outlineWidth = number(0, 9);
+    style.outlineOpacity = random.chance(3) ? 1.0f : number(0, 1);
+    // Normals that look to the eye's side now and then, as real ones do.
+    if (random.chance(2)) instance.material.specularPower = number(1, 40);
   }
 }
 

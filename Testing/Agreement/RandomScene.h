@@ -89,6 +89,8 @@ class RandomScene {
     /// As kAny or kCoarse, most instances translucent, some with textures, 1 to 16 samples.
     kTranslucent,
     kFineTranslucent,  ///< likewise as kFine
+    /// As kAny or kCoarse, with every tone and outline; some textured, translucent or programmed.
+    kTones,
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -109,6 +111,7 @@ class RandomScene {
   void addNormals(Random& random);
   void addTextures();
   void addTranslucency();
+  void addTones();
   void joinTextures();
   void addImages(Random& random);
   TextureLayer randomLayer(Random& random) const;

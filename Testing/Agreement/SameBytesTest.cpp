@@ -26,6 +26,7 @@ constexpr std::uint64_t kHashOfTextures = 6601808570278293167u;
 constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
+constexpr std::uint64_t kHashOfTones = 10525385779553263118u;
 
 /// FNV-1a, 64 bits.
 class Hash {
@@ -137,6 +138,13 @@ TEST_P(SameBytes, HundredScenesWithShadersHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kShaders);
   std::cout << "kHashOfShaders " << hash << '\n';
   EXPECT_EQ(hash, kHashOfShaders);
+}
+
+TEST_P(SameBytes, TonesHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kTones);
+  std::cout << "kHashOfTones " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfTones);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),

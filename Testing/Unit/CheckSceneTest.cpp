@@ -57,6 +57,20 @@ Span<const T> shortened(Span<const T> span)
   return {span.data(), span.size() - 1};
 }
 
+/// A picture of one white texel.
+void giveRamp(Input& input)
+{
+  static const TextureImage* const kWhite = [] {
+    static TextureImage image;
+    static const std::uint8_t texel[] = {255};
+    EXPECT_TRUE(
+        image.build({1, 1, 1, TexelFormat::kUnorm8, texel, sizeof texel}, MipChain::kNone).ok());
+    return &image;
+  }();
+  input.instance().style.tone = Tone::kRamp;
+  input.instance().style.ramp.image = kWhite;
+}
+
 const Mistake kFrameMistakes[] = {
     {"WidthZero", Error::kInvalidImageSize, "0 x 16", [](Input& i) { i.frame.width = 0; }},
     {"HeightZero", Error::kInvalidImageSize, "16 x 0", [](Input& i) { i.frame.height = 0; }},
@@ -203,6 +217,36 @@ const Mistake kInstanceMistakes[] = {
      [](Input& i) { i.instance().style.outlineThreshold = kNan; }},
     {"OutlineColorNan", Error::kNotFinite, "style",
      [](Input& i) { i.instance().style.outlineColor.x = kNan; }},
+    {"OutlineWidthNegative", Error::kNotFinite, "outline",
+     [](Input& i) { i.instance().style.outlineWidth = -1; }},
+    {"OutlineOpacityAboveOne", Error::kNotFinite, "outline",
+     [](Input& i) { i.instance().style.outlineOpacity = 1.5f; }},
+    {"OutlineOpacityNan", Error::kNotFinite, "outline",
+     [](Input& i) { i.instance().style.outlineOpacity = kNan; }},
+    {"ToonBandsNegative", Error::kNotFinite, "bands",
+     [](Input& i) { i.instance().style.toonBands = -1; }},
+    {"ToonBandsTooMany", Error::kNotFinite, "bands",
+     [](Input& i) { i.instance().style.toonBands = 65; }},
+    {"RampWithoutPicture", Error::kMissingData, "picture",
+     [](Input& i) { i.instance().style.tone = Tone::kRamp; }},
+    {"MatCapWithoutPicture", Error::kMissingData, "picture",
+     [](Input& i) { i.instance().style.tone = Tone::kMatCap; }},
+    {"RampExponentNegative", Error::kNotFinite, "ramp",
+     [](Input& i) {
+       giveRamp(i);
+       i.instance().style.ramp.exponent = -1;
+     }},
+    {"RampRangeTurnedRound", Error::kNotFinite, "ramp",
+     [](Input& i) {
+       giveRamp(i);
+       i.instance().style.ramp.nearest = 2;
+       i.instance().style.ramp.farthest = 1;
+     }},
+    {"RampRangeNan", Error::kNotFinite, "ramp",
+     [](Input& i) {
+       giveRamp(i);
+       i.instance().style.ramp.nearest = kNan;
+     }},
     {"CellsTooShort", Error::kSizeMismatch, "cells",
      [](Input& i) { i.instance().attributes.cells = shortened(i.instance().attributes.cells); }},
     {"VertexNormalsTooShort", Error::kSizeMismatch, "vertex normals",
