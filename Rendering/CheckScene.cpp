@@ -155,6 +155,10 @@ Status checkMaterial(const Instance& instance, InstanceName name)
   if (!areNotNegative({s.outlineWidth, s.outlineOpacity}) || s.outlineOpacity > 1)
     return {Error::kNotFinite,
             name + ": the outline's width has to be at least 0, its opacity 0 to 1."};
+  if (!(s.undertone >= 0 && s.undertone <= 1))
+    return {Error::kNotFinite, name + ": the share of the undertone has to be 0 to 1."};
+  if (!(s.legendSafeRange >= 0 && s.legendSafeRange <= 100))
+    return {Error::kNotFinite, name + ": the legend-safe range has to be 0 to 100."};
   return {};
 }
 

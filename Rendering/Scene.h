@@ -111,6 +111,19 @@ enum class Reflection : std::uint8_t {
   kMetallicRoughnessAsVtk,
 };
 
+/// How a tone treats colours that come from data: bytes of Attributes, which are sRGB, as the
+/// user's legend shows them. k_d, bounded to 0 ... 1, is that colour; d is l.n, turned round by
+/// Tone::kGoochChapter. All but kClassic add no highlight, which no legend has.
+enum class ToneOverData : std::uint8_t {
+  kClassic,  ///< as a tone treats any k_d
+  /// (1 - sigma) k_d + sigma t, where t is the tone of a grey surface, k_d = 1/2.
+  kUndertone,
+  /// CIELAB's L* + w d, with a* and b* kept. Where w times 1 or -1 would leave the colours that a
+  /// screen has, w is less for that side, by steps of w / 1024: none is left at the edge of these,
+  /// as for pure red, green and blue.
+  kLegendSafe,
+};
+
 struct Material {
   Vec3f ambientColor = {1, 1, 1}, diffuseColor = {1, 1, 1}, specularColor = {1, 1, 1};
   float ambient = 0, diffuse = 1, specular = 0;  ///< k_a, k_d, k_s are colour times coefficient
@@ -159,6 +172,9 @@ struct Style {
   /// interpolated, so that a step is as wide as a triangle. There, and where a surface shader asks
   /// for light, edges are hard.
   int toonBands = 0;
+  ToneOverData toneOverData = ToneOverData::kClassic;  ///< where Attributes has colours
+  float undertone = 0.25f;                             ///< sigma, 0 to 1
+  float legendSafeRange = 12;                          ///< w, 0 to 100
   /// Pixels with |n.v| below this get outlineColor (figure 12.15); 0 draws no outline.
   float outlineThreshold = 0;
   /// In its place, pixels up to outlineWidth from where n.v = 0: as g^2, g = n.v, is linear on the
@@ -222,6 +238,12 @@ struct Instance {
   bool cullBackFaces = false, cullFrontFaces = false;  ///< front: counter-clockwise on the screen
   std::uint32_t id = 0;  ///< written to FrameView::instance where this instance is seen
 
+  /// Whether a tone finds colours of data that it does not treat classically.
+  bool tonesData() const
+  {
+    return style.toneOverData != ToneOverData::kClassic &&
+           !(attributes.vertexColors.empty() && attributes.cellColors.empty());
+  }
   bool isTranslucent() const { return material.opacity < 1 || style.readsAlpha; }
 };
 

@@ -3,6 +3,7 @@
 #include "Rendering/Reference/ReferenceShading.h"
 
 #include "Rendering/Base/Power.h"
+#include "Rendering/Reference/ReferenceDataTone.h"
 #include "Rendering/Reference/ReferenceTextures.h"
 #include "Rendering/Reference/ReferenceTone.h"
 #include "Rendering/Texture/SampleTexture.h"
@@ -324,8 +325,11 @@ Vec3f banded(const Scene& scene, const Instance& instance, const std::vector<Vie
 /// The tones of one instance.
 class Toning {
  public:
-  Toning(const Scene& scene, const Style& style, const std::vector<ViewLight>& lights)
-      : camera_(scene.camera), style_(style), lights_(lights)
+  Toning(const Scene& scene, const Instance& instance, const std::vector<ViewLight>& lights)
+      : camera_(scene.camera),
+        style_(instance.style),
+        lights_(lights),
+        tonesData_(instance.tonesData())
   {
   }
 
@@ -342,6 +346,10 @@ class Toning {
       facing = stepped(facing, slopeAmong(near, t), style_.toonBands);
       averted = 1.0f - facing;
       glossy = onOff(glossy, slopeAmong(near, shine));
+    }
+    if (tonesData_) {
+      const float d = style_.toonBands >= 2 ? facing - averted : nl;
+      return dataTone(style_, s.diffuse, style_.tone == Tone::kGoochChapter ? -d : d);
     }
     const Vec3f cool = style_.toneCool + s.diffuse * style_.coolSurface;
     const Vec3f warm = style_.toneWarm + s.diffuse * style_.warmSurface;
@@ -397,6 +405,7 @@ class Toning {
   const Camera& camera_;
   const Style& style_;
   const std::vector<ViewLight>& lights_;
+  bool tonesData_;
 };
 
 Vec3f lightSurface(const Scene& scene, const Instance& instance,
@@ -404,7 +413,7 @@ Vec3f lightSurface(const Scene& scene, const Instance& instance,
                    Neighbours near = nullptr)
 {
   const Style& style = instance.style;
-  if (style.tone != Tone::kNone) return Toning(scene, style, lights).color(s, near);
+  if (style.tone != Tone::kNone) return Toning(scene, instance, lights).color(s, near);
   if (style.reflection == Reflection::kNone) return s.ambient + s.diffuse;
   if (style.toonBands >= 2) return banded(scene, instance, lights, s, near);
   switch (style.reflection) {

@@ -5,6 +5,7 @@
 // operation. Compiled once per instruction set by LightFragments.cpp.
 #include "Rendering/Base/Lanes-inl.h"
 #include "Rendering/Base/Power-inl.h"
+#include "Rendering/Shading/LabColor-inl.h"
 #include "Rendering/Shading/ToneEquations-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -123,7 +124,8 @@ class Lighting {
         isLoneHeadlight_(style_.tone == Tone::kNone && style_.reflection == Reflection::kAsVtk &&
                          style_.toonBands < 2 && hasLoneHeadlight()),
         isMatt_(isLoneHeadlight_ && isMatt(material_, lights_[0])),
-        isSpecial_(isSpecial(material_, style_))
+        isSpecial_(isSpecial(material_, style_)),
+        tonesData_(context.placed->instance->tonesData())
   {
   }
 
@@ -480,6 +482,10 @@ class Lighting {
     V averted = hn::Mul(hn::Sub(set(1.0f), nl), set(0.5f));
     V highlight = toneHighlight(s, l);
     if (style_.toonBands >= 2) stepTone(near, facing, averted, highlight);
+    if (tonesData_) {
+      const V d = style_.toonBands >= 2 ? hn::Sub(facing, averted) : nl;
+      return dataTone(style_, s.diffuse, style_.tone == Tone::kGoochChapter ? hn::Neg(d) : d);
+    }
     const Lanes3 cool = add(set(style_.toneCool), mul(s.diffuse, set(style_.coolSurface)));
     const Lanes3 warm = add(set(style_.toneWarm), mul(s.diffuse, set(style_.warmSurface)));
     Lanes3 tone = style_.tone == Tone::kGoochChapter ? add(mul(cool, facing), mul(warm, averted))
@@ -524,7 +530,7 @@ class Lighting {
   const Material& material_;
   const Style& style_;
   Ramp ramp_;
-  bool isLoneHeadlight_, isMatt_, isSpecial_;
+  bool isLoneHeadlight_, isMatt_, isSpecial_, tonesData_;
 };
 
 }  // namespace limn::HWY_NAMESPACE

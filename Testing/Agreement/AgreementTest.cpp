@@ -166,6 +166,28 @@ TEST_P(EveryTarget, TonesLikeTheReference)
   EXPECT_GT(changedPixels, 500000u) << "tones must show";
 }
 
+TEST_P(EveryTarget, TonesColorsOfDataLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kDataTones);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    ASSERT_EQ(drawn(random, {Backend::kPipeline, kThreads[seed % 4]}).differingPixels(expected), 0u)
+        << "seed " << seed;
+    std::vector<Instance> classic(random.scene().instances.begin(), random.scene().instances.end());
+    for (Instance& instance : classic)
+      instance.style.toneOverData = ToneOverData::kClassic;
+    Scene scene = random.scene();
+    scene.instances = classic;
+    Picture plain = random.canvas();
+    ASSERT_TRUE(render(scene, plain.frame(random.background())).ok());
+    for (std::size_t i = 0; i < plain.color.size(); ++i)
+      changedPixels += plain.color[i].r != expected.color[i].r;
+  }
+  EXPECT_GT(changedPixels, 500000u) << "the tones must show";
+}
+
 TEST_P(EveryTarget, RunsShadersLikeTheReference)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};

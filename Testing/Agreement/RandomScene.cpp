@@ -218,6 +218,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
     addTextures();
   if (isTranslucent) addTranslucency();
   if (isToned) addTones();
+  if (detail == Detail::kDataTones) addDataTones();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -251,7 +252,8 @@ void RandomScene::addMesh(Random& random, Detail detail)
       detail == Detail::kFine || detail == Detail::kFineTranslucent ? makeBumpySphere(random, *mesh)
       : detail == Detail::kCoarse ||
               ((detail == Detail::kTextures || detail == Detail::kShaders ||
-                detail == Detail::kTranslucent || detail == Detail::kTones) &&
+                detail == Detail::kTranslucent || detail == Detail::kTones ||
+                detail == Detail::kDataTones) &&
                seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
@@ -499,6 +501,37 @@ void RandomScene::addTones()
     style.outlineOpacity = random.chance(3) ? 1.0f : number(0, 1);
     // Normals that look to the eye's side now and then, as real ones do.
     if (random.chance(2)) instance.material.specularPower = number(1, 40);
+  }
+}
+
+void RandomScene::addDataTones()
+{
+  Random random(seed_ ^ 0x7A3D11C5u);
+  // Colours at the edge of the gamut as often as any.
+  const bool isPure = random.chance(3);
+  const auto byte = [&] {
+    return static_cast<std::uint8_t>(isPure ? 255 * random.below(2) : random.below(256));
+  };
+  for (const auto& mesh : meshes_) {
+    if (!mesh->vertexColors.empty() || !mesh->cellColors.empty()) continue;
+    for (std::size_t v = 0; v < mesh->view().vertexCount(); ++v)
+      mesh->vertexColors.push_back({byte(), byte(), byte(), 255});
+  }
+  for (Instance& instance : instances_) {
+    for (const auto& mesh : meshes_) {
+      if (instance.clusters != &mesh->clusters) continue;
+      instance.attributes.vertexColors = mesh->vertexColors;
+      instance.attributes.cellColors = mesh->cellColors;
+    }
+    Style& style = instance.style;
+    if (!random.chance(6)) style.tone = static_cast<Tone>(1 + random.below(2));
+    style.toneOverData = static_cast<ToneOverData>(random.chance(8) ? 0 : 1 + random.below(2));
+    style.undertone = static_cast<float>(random.chance(5) ? random.below(2) : random.between(0, 1));
+    style.legendSafeRange =
+        static_cast<float>(random.chance(5) ? 100 * random.below(2) : random.between(0, 50));
+    if (random.chance(2)) instance.material.diffuse = 1;
+    if (random.chance(8)) instance.material.diffuse = 3;
+    if (random.chance(4)) style.toonBands = static_cast<int>(2 + random.below(6));
   }
 }
 

@@ -91,6 +91,7 @@ class RandomScene {
     kFineTranslucent,  ///< likewise as kFine
     /// As kAny or kCoarse, with every tone and outline; some textured, translucent or programmed.
     kTones,
+    kDataTones,        ///< as kAny or kCoarse, with tones over colours of data
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -112,6 +113,7 @@ class RandomScene {
   void addTextures();
   void addTranslucency();
   void addTones();
+  void addDataTones();
   void joinTextures();
   void addImages(Random& random);
   TextureLayer randomLayer(Random& random) const;

@@ -27,6 +27,7 @@ constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 10525385779553263118u;
+constexpr std::uint64_t kHashOfDataTones = 17885076244719390221u;
 
 /// FNV-1a, 64 bits.
 class Hash {
@@ -145,6 +146,13 @@ TEST_P(SameBytes, TonesHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kTones);
   std::cout << "kHashOfTones " << hash << '\n';
   EXPECT_EQ(hash, kHashOfTones);
+}
+
+TEST_P(SameBytes, TonesOverDataHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kDataTones);
+  std::cout << "kHashOfDataTones " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfDataTones);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),
