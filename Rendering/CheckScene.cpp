@@ -187,6 +187,22 @@ Status checkSize(std::size_t size, std::size_t needed, InstanceName name, const 
                                     std::to_string(needed) + "; give one each or none."};
 }
 
+/// Of an instance that draws a hull.
+Status checkHull(const Instance& instance, InstanceName name)
+{
+  const HullEdges& hull = *instance.hull;
+  const MeshView& mesh = instance.mesh;
+  if (hull.weld.size() != mesh.vertexCount() || hull.normal.size() != mesh.triangles.size())
+    return {Error::kSizeMismatch,
+            name + ": its hull is of another mesh; call buildHullEdges() for this one."};
+  if (!isNotNegative(instance.style.outlineColor))
+    return {Error::kNotFinite, name + ": the colour of its hull is negative or not finite."};
+  const Attributes& a = instance.attributes;
+  return a.cells.empty()
+             ? Status{}
+             : checkSize(a.cells.size(), mesh.triangles.size(), name, ": cells of triangles");
+}
+
 Status checkAttributes(const Instance& instance, MeshSizes sizes, InstanceName name)
 {
   const Attributes& a = instance.attributes;
@@ -277,6 +293,7 @@ Status checkInstance(const Instance& instance, std::size_t number, Backend backe
   if (!isFinite(instance.modelToWorld))
     return {Error::kNotFinite, name + ": its matrix has a value that is not a finite number."};
   if (Status status = checkMaterial(instance, name); !status.ok()) return status;
+  if (instance.hull != nullptr) return checkHull(instance, name);
   if (Status status = checkRamp(instance.style, name); !status.ok()) return status;
   if (Status status = checkLayers(instance, name); !status.ok()) return status;
   if (backend == Backend::kPipeline) {
@@ -305,7 +322,8 @@ Status checkScene(const Scene& scene, const FrameView& frame, Backend backend)
   std::size_t clusters = 0;
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     if (Status status = checkInstance(scene.instances[i], i, backend); !status.ok()) return status;
-    if (backend == Backend::kPipeline) clusters += scene.instances[i].clusters->clusters.size();
+    if (backend == Backend::kPipeline && scene.instances[i].hull == nullptr)
+      clusters += scene.instances[i].clusters->clusters.size();
   }
   if (clusters >= kNobody)
     return {Error::kTooManyPrimitives,

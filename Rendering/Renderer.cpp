@@ -211,7 +211,8 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
                       RenderStats& stats)
 {
   const Stopwatch binTime;
-  const PlacedScene placed = placeScene(scene, frame.width, frame.height, options.optimizations);
+  const PlacedScene placed =
+      placeScene(scene, frame.width, frame.height, options.optimizations, options.threads);
   TileBins bins;
   if (Status status = binClusters(placed, options.threads, bins); !status.ok()) return status;
   for (std::size_t tile = 0; tile < bins.grid.count(); ++tile)

@@ -6,6 +6,7 @@
 #include "Rendering/Base/Span.h"
 #include "Rendering/Base/Vec.h"
 #include "Rendering/Mesh/ClusteredMesh.h"
+#include "Rendering/Mesh/HullEdges.h"
 #include "Rendering/Mesh/MeshView.h"
 #include "Rendering/Texture/TextureLayer.h"
 #include "Rendering/ToneStyle.h"
@@ -217,6 +218,12 @@ struct Attributes {
   Span<const std::uint32_t> normalOfCorner = {};
 };
 
+/// Longest move of a hull's vertex, in widths: corners of the outline sharper than 29 degrees get
+/// narrower towards their point.
+inline constexpr double kHullMiter = 4;
+/// Window depth that a hull lies behind its mesh; some times what rounding can make of a depth.
+inline constexpr double kHullDepth = 0x1p-18;
+
 /// One mesh in the world. Draw order is the order in Scene::instances, then of the triangles.
 ///
 /// Translucent instances are drawn after the opaque ones, exactly and in any order of submission:
@@ -237,6 +244,20 @@ struct Instance {
   Span<const TextureLayer> layers;                     ///< applied in this order
   bool cullBackFaces = false, cullFrontFaces = false;  ///< front: counter-clockwise on the screen
   std::uint32_t id = 0;  ///< written to FrameView::instance where this instance is seen
+  /// Not null: in place of the mesh its inverted hull is drawn, the outline of the solid that the
+  /// mesh bounds, in Style::outlineColor without light. The solid is an instance of its own, before
+  /// or after. Made for `mesh`, which the pipeline reads here too, in place of `clusters`.
+  ///
+  /// An edge of two triangles that is convex lies on the outline if one of them shows its front and
+  /// the other its back. Each end of it moves on the screen so far that all edges of the outline
+  /// there move outward by outlineWidth: by its miter, along their bisector, but no farther than
+  /// kHullMiter widths. Distances and angles are of pixels, whatever the camera does. The triangles
+  /// at these vertices that show their backs, and no others, are drawn where their vertices come to
+  /// lie. Depths stay, but for kHullDepth, and where the plane of one of these triangles is deeper
+  /// at the new place: then that depth, up to what the triangle's own corners differ by. So the
+  /// mesh hides its hull wherever it is. What shows has the names of the instance and of the cells.
+  /// Borders of open meshes are no outline.
+  const HullEdges* hull = nullptr;
 
   /// Whether a tone finds colours of data that it does not treat classically.
   bool tonesData() const
@@ -244,7 +265,10 @@ struct Instance {
     return style.toneOverData != ToneOverData::kClassic &&
            !(attributes.vertexColors.empty() && attributes.cellColors.empty());
   }
-  bool isTranslucent() const { return material.opacity < 1 || style.readsAlpha; }
+  bool isTranslucent() const
+  {
+    return hull != nullptr ? style.outlineOpacity < 1 : material.opacity < 1 || style.readsAlpha;
+  }
 };
 
 /// How the samples of a pixel become one colour.

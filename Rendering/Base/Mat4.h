@@ -4,6 +4,8 @@
 
 #include "Rendering/Base/Vec.h"
 
+#include <cmath>
+
 namespace limn {
 
 /// 4x4 matrix in rows, for column vectors: p' = M p, as vtkMatrix4x4 stores it. m[row][column].
@@ -73,6 +75,48 @@ constexpr Mat4d cofactor3(const Mat4d& a)
            {c(1, 0), c(1, 1), c(1, 2), 0},
            {c(2, 0), c(2, 1), c(2, 2), 0},
            {0, 0, 0, 1}}};
+}
+
+/// The inverse, by cofactors; false, and `result` as it was, where there is none or it is not
+/// finite.
+inline bool invert(const Mat4d& a, Mat4d& result)
+{
+  // Determinants of the upper two rows and of the lower two, by their columns.
+  const auto minor = [&](int row, int i, int j) {
+    return a.m[row][i] * a.m[row + 1][j] - a.m[row][j] * a.m[row + 1][i];
+  };
+  const double s01 = minor(0, 0, 1), s02 = minor(0, 0, 2), s03 = minor(0, 0, 3),
+               s12 = minor(0, 1, 2), s13 = minor(0, 1, 3), s23 = minor(0, 2, 3);
+  const double c01 = minor(2, 0, 1), c02 = minor(2, 0, 2), c03 = minor(2, 0, 3),
+               c12 = minor(2, 1, 2), c13 = minor(2, 1, 3), c23 = minor(2, 2, 3);
+  const double determinant =
+      ((s01 * c23 - s02 * c13) + s03 * c12) + ((s12 * c03 - s13 * c02) + s23 * c01);
+  const double scale = 1.0 / determinant;
+  const auto& m = a.m;
+  Mat4d inverse = {{{(m[1][1] * c23 - m[1][2] * c13) + m[1][3] * c12,
+                     -((m[0][1] * c23 - m[0][2] * c13) + m[0][3] * c12),
+                     (m[3][1] * s23 - m[3][2] * s13) + m[3][3] * s12,
+                     -((m[2][1] * s23 - m[2][2] * s13) + m[2][3] * s12)},
+                    {-((m[1][0] * c23 - m[1][2] * c03) + m[1][3] * c02),
+                     (m[0][0] * c23 - m[0][2] * c03) + m[0][3] * c02,
+                     -((m[3][0] * s23 - m[3][2] * s03) + m[3][3] * s02),
+                     (m[2][0] * s23 - m[2][2] * s03) + m[2][3] * s02},
+                    {(m[1][0] * c13 - m[1][1] * c03) + m[1][3] * c01,
+                     -((m[0][0] * c13 - m[0][1] * c03) + m[0][3] * c01),
+                     (m[3][0] * s13 - m[3][1] * s03) + m[3][3] * s01,
+                     -((m[2][0] * s13 - m[2][1] * s03) + m[2][3] * s01)},
+                    {-((m[1][0] * c12 - m[1][1] * c02) + m[1][2] * c01),
+                     (m[0][0] * c12 - m[0][1] * c02) + m[0][2] * c01,
+                     -((m[3][0] * s12 - m[3][1] * s02) + m[3][2] * s01),
+                     (m[2][0] * s12 - m[2][1] * s02) + m[2][2] * s01}}};
+  bool finite = true;
+  for (auto& row : inverse.m)
+    for (double& value : row) {
+      value *= scale;
+      finite = finite && std::isfinite(value);
+    }
+  if (finite) result = inverse;
+  return finite;
 }
 
 inline Mat4f toFloat(const Mat4d& a)

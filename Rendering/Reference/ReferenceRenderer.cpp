@@ -6,6 +6,7 @@
 #include "Rendering/Base/SamplePositions.h"
 #include "Rendering/Base/TranslucencyBound.h"
 #include "Rendering/Mesh/LocalPosition.h"
+#include "Rendering/Reference/ReferenceHull.h"
 #include "Rendering/Reference/ReferenceShading.h"
 #include "Rendering/Vertex/ClipTriangle.h"
 #include "Rendering/Vertex/PlaceLights.h"
@@ -13,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <map>
 #include <optional>
 #include <vector>
@@ -284,8 +286,11 @@ class Picture {
         offsets_(samplePositions(scene.samples)),
         lights_(placeLights(scene.lights, scene.camera))
   {
-    for (const Instance& instance : scene.instances)
-      placed_.emplace_back(scene, instance, frame);
+    for (const Instance& instance : scene.instances) {
+      if (instance.hull != nullptr) makeHull(scene, instance, frame, hulls_.emplace_back());
+      placed_.emplace_back(scene, instance.hull != nullptr ? hulls_.back().instance : instance,
+                           frame);
+    }
     samples_.resize(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) *
                     offsets_.size());
     for (int y = 0; y < frame.height; ++y)
@@ -611,6 +616,7 @@ class Picture {
   const FrameView& frame_;
   Span<const SampleOffset> offsets_;
   std::vector<ViewLight> lights_;
+  std::deque<Hull> hulls_;  ///< which do not move
   std::vector<PlacedInstance> placed_;
   std::vector<Sample> samples_;
   std::vector<std::vector<Sample>> layers_;  ///< empty if nothing is translucent

@@ -17,12 +17,15 @@ std::uint32_t PlacedScene::instanceOf(std::uint32_t cluster) const
 }
 
 PlacedScene placeScene(const Scene& scene, int width, int height,
-                       const Optimizations& optimizations)
+                       const Optimizations& optimizations, int threads)
 {
-  PlacedScene placed = {&scene, width,        height, {}, placeLights(scene.lights, scene.camera),
-                        0,      optimizations};
+  PlacedScene placed = {&scene, width, height,       {}, placeLights(scene.lights, scene.camera),
+                        {},     0,     optimizations};
   placed.instances.reserve(scene.instances.size());
-  for (const Instance& instance : scene.instances) {
+  for (const Instance& given : scene.instances) {
+    if (given.hull != nullptr)
+      placed.hulls.push_back(placeHull(given, scene.camera, {width, height, threads}));
+    const Instance& instance = given.hull != nullptr ? placed.hulls.back()->instance : given;
     const ClusteredMesh& mesh = *instance.clusters;
     const LocalFrame frame = {mesh.origin, mesh.low, mesh.high, mesh.hasLowParts()};
     placed.instances.push_back(

@@ -4,16 +4,18 @@
 
 #include "Rendering/Optimizations.h"
 #include "Rendering/Scene.h"
+#include "Rendering/Vertex/PlaceHull.h"
 #include "Rendering/Vertex/ViewSpace.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace limn {
 
 /// An instance with its way to the screen. Clusters are numbered through all instances of a frame.
 struct PlacedInstance {
-  const Instance* instance;
+  const Instance* instance;  ///< of a hull the one that draws it
   InstanceTransform transform;
   std::uint32_t firstCluster;
 
@@ -26,6 +28,7 @@ struct PlacedScene {
   int width, height;
   std::vector<PlacedInstance> instances;  ///< in draw order
   std::vector<ViewLight> lights;
+  std::vector<std::unique_ptr<const PlacedHull>> hulls;  ///< what their instances borrow
   std::uint32_t clusterCount;
   Optimizations optimizations;
   bool hasTranslucent = false;  ///< some instance is
@@ -36,6 +39,6 @@ struct PlacedScene {
 
 /// Requires: a scene that checkScene() accepted.
 PlacedScene placeScene(const Scene& scene, int width, int height,
-                       const Optimizations& optimizations = {});
+                       const Optimizations& optimizations = {}, int threads = 1);
 
 }  // namespace limn

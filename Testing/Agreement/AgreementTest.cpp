@@ -40,6 +40,19 @@ Picture drawnWithoutShaders(const RandomScene& random)
   return picture;
 }
 
+Picture drawnWithoutHulls(const RandomScene& random)
+{
+  Scene scene = random.scene();
+  std::vector<Instance> instances;
+  for (const Instance& instance : scene.instances)
+    if (instance.hull == nullptr) instances.push_back(instance);
+  scene.instances = instances;
+  Picture picture = random.canvas();
+  const Status status = render(scene, picture.frame(random.background()));
+  EXPECT_TRUE(status.ok()) << status.message;
+  return picture;
+}
+
 Picture drawnWithEffects(const RandomScene& random, const RenderOptions& options)
 {
   Picture picture = random.canvas();
@@ -229,6 +242,24 @@ TEST_P(EveryTarget, LaysTranslucentSurfacesLikeTheReference)
       changedPixels += actual.color[i].g != opaque.color[i].g && actual.instance[i] == kNobody;
   }
   EXPECT_GT(changedPixels, 300000u) << "translucent surfaces must show";
+}
+
+TEST_P(EveryTarget, PlacesHullsLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kHulls);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    for (bool Optimizations::*one :
+         {&Optimizations::occlusionCulling, &Optimizations::smallClusters}) {
+      RenderOptions options = {Backend::kPipeline, kThreads[seed % 4]};
+      options.optimizations.*one = seed % 3 != 0;
+      ASSERT_EQ(drawn(random, options).differingPixels(expected), 0u) << "seed " << seed;
+    }
+    changedPixels += drawnWithoutHulls(random).differingPixels(expected);
+  }
+  EXPECT_GT(changedPixels, 200000u) << "the hulls must show";
 }
 
 TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)

@@ -111,6 +111,42 @@ std::vector<Vec3d> makeBumpySphere(Random& random, OwnedMesh& mesh)
   return points;
 }
 
+/// Tetrahedra and boxes, flat ones and needles among them, each triangle with its own points or
+/// not, some open, some inside out.
+std::vector<Vec3d> makeSolids(Random& random, OwnedMesh& mesh)
+{
+  constexpr std::uint32_t kFaces[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                          {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+  std::vector<Vec3d> corners, points;
+  const bool isSoup = random.chance(2), isInsideOut = random.chance(6);
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (isInsideOut) std::swap(b, c);
+    if (!isSoup) return addTriangle(mesh, a, b, c);
+    const auto first = static_cast<std::uint32_t>(points.size());
+    points.insert(points.end(), {corners[a], corners[b], corners[c]});
+    addTriangle(mesh, first, first + 1, first + 2);
+  };
+  for (std::uint32_t solids = 1 + random.below(6); solids > 0; --solids) {
+    const auto first = static_cast<std::uint32_t>(corners.size());
+    const double size = random.chance(5) ? 8 : 0.7;
+    const Vec3d centre = random.inBox(1), u = random.inBox(size), v = random.inBox(size),
+                w = random.chance(5) ? cross(u, v) * 1e-7 : random.inBox(size);
+    for (std::uint32_t i = 0; i < 8; ++i)
+      corners.push_back(centre + (u * ((i & 1u) - 0.5) + v * (((i >> 1) & 1u) - 0.5)) +
+                        w * ((i >> 2) - 0.5));
+    const bool turned = dot(cross(u, v), w) < 0;
+    for (const auto& face : kFaces) {
+      if (random.chance(20)) continue;
+      const std::uint32_t a = first + face[0], b = first + face[turned ? 3 : 1],
+                          c = first + face[2], d = first + face[turned ? 1 : 3];
+      add(a, b, c);
+      add(a, c, d);
+    }
+  }
+  if (mesh.triangles.empty()) add(0, 1, 2);
+  return isSoup ? points : corners;
+}
+
 /// An uneven sheet across the picture.
 std::vector<Vec3d> makeSheet(Random& random, OwnedMesh& mesh)
 {
@@ -219,6 +255,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (isTranslucent) addTranslucency();
   if (isToned) addTones();
   if (detail == Detail::kDataTones) addDataTones();
+  if (detail == Detail::kHulls) addHulls();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -249,12 +286,14 @@ void RandomScene::addMesh(Random& random, Detail detail)
   auto mesh = std::make_unique<OwnedMesh>();
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
   std::vector<Vec3d> points =
-      detail == Detail::kFine || detail == Detail::kFineTranslucent ? makeBumpySphere(random, *mesh)
-      : detail == Detail::kCoarse ||
-              ((detail == Detail::kTextures || detail == Detail::kShaders ||
-                detail == Detail::kTranslucent || detail == Detail::kTones ||
-                detail == Detail::kDataTones) &&
-               seed_ % 2 == 0)
+      detail == Detail::kFine || detail == Detail::kFineTranslucent ||
+              (detail == Detail::kHulls && seed_ % 8 == 0)
+          ? makeBumpySphere(random, *mesh)
+      : detail == Detail::kHulls ? makeSolids(random, *mesh)
+      : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
+                                       detail == Detail::kTranslucent ||
+                                       detail == Detail::kTones || detail == Detail::kDataTones) &&
+                                      seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
@@ -532,6 +571,32 @@ void RandomScene::addDataTones()
     if (random.chance(2)) instance.material.diffuse = 1;
     if (random.chance(8)) instance.material.diffuse = 3;
     if (random.chance(4)) style.toonBands = static_cast<int>(2 + random.below(6));
+  }
+}
+
+void RandomScene::addHulls()
+{
+  Random random(seed_ ^ 0x8A5CD789u);
+  for (const auto& mesh : meshes_)
+    if (!buildHullEdges(mesh->view(), 2, mesh->hull).ok()) std::abort();
+  std::vector<Instance> solids;
+  solids.swap(instances_);
+  for (Instance& solid : solids) {
+    if (random.chance(4))
+      for (auto& row : solid.modelToWorld.m)
+        row[0] = centre_ == Vec3d{0, 0, 0} ? -row[0] : row[0];
+    if (random.chance(6)) solid.material.opacity = 0.5f;
+    instances_.push_back(solid);
+    if (random.chance(5)) continue;
+    Instance hull = solid;
+    for (const auto& mesh : meshes_)
+      if (&mesh->clusters == solid.clusters) hull.hull = &mesh->hull;
+    hull.clusters = nullptr;
+    hull.style.outlineColor = random.color();
+    hull.style.outlineWidth =
+        static_cast<float>(random.chance(6) ? 40 * random.below(2) : random.between(0.2, 6));
+    if (random.chance(4)) hull.style.outlineOpacity = static_cast<float>(random.between(0, 1));
+    instances_.insert(random.chance(2) ? instances_.end() : instances_.begin(), hull);
   }
 }
 

@@ -51,6 +51,7 @@ struct OwnedMesh {
   SplitNormals splitNormals;
   std::vector<Vec3d> firstCorners;
   ClusteredMesh clusters;
+  HullEdges hull;
 
   MeshView view() const { return {positions, precise, triangles}; }
 };
@@ -92,6 +93,7 @@ class RandomScene {
     /// As kAny or kCoarse, with every tone and outline; some textured, translucent or programmed.
     kTones,
     kDataTones,        ///< as kAny or kCoarse, with tones over colours of data
+    kHulls,            ///< closed surfaces, coarse or as kFine, with inverted hulls
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -114,6 +116,7 @@ class RandomScene {
   void addTranslucency();
   void addTones();
   void addDataTones();
+  void addHulls();
   void joinTextures();
   void addImages(Random& random);
   TextureLayer randomLayer(Random& random) const;

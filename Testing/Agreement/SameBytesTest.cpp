@@ -28,6 +28,7 @@ constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 10525385779553263118u;
 constexpr std::uint64_t kHashOfDataTones = 17885076244719390221u;
+constexpr std::uint64_t kHashOfHulls = 12766414417319064616u;
 
 /// FNV-1a, 64 bits.
 class Hash {
@@ -153,6 +154,13 @@ TEST_P(SameBytes, TonesOverDataHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kDataTones);
   std::cout << "kHashOfDataTones " << hash << '\n';
   EXPECT_EQ(hash, kHashOfDataTones);
+}
+
+TEST_P(SameBytes, HullsHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kHulls);
+  std::cout << "kHashOfHulls " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfHulls);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),

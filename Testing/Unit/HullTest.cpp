@@ -1,0 +1,466 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Base/SamplePositions.h"
+#include "Rendering/Mesh/HullEdges.h"
+#include "Testing/Unit/TestScene.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn::testing {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr Vec3f kSolid = {1, 0, 0}, kInk = {0, 1, 0};
+/// Snapping moves a vertex by half of 1/256 pixel in x and in y.
+constexpr double kSnapping = 0.01;
+
+/// A mesh with its hull's edges.
+struct Solid {
+  OwnedMesh mesh;
+
+  explicit Solid(OwnedMesh&& given) : mesh(std::move(given))
+  {
+    const Status status = buildHullEdges(mesh.view(), 2, mesh.hull);
+    EXPECT_TRUE(status.ok()) << status.message;
+  }
+  Instance surface(const Mat4d& place = Mat4d::identity()) const
+  {
+    Instance instance = painted(mesh, kSolid, 3);
+    instance.modelToWorld = place;
+    return instance;
+  }
+  Instance hull(float width, const Mat4d& place = Mat4d::identity()) const
+  {
+    Instance instance = surface(place);
+    instance.clusters = nullptr;
+    instance.hull = &mesh.hull;
+    instance.style.outlineWidth = width;
+    instance.style.outlineColor = kInk;
+    instance.id = 4;
+    return instance;
+  }
+};
+
+/// The box from -half to half, each face with its own vertices, cut into two triangles.
+OwnedMesh box(Vec3d half)
+{
+  std::vector<Vec3d> points;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      const auto corner = [&](double u, double v) {
+        double c[3];
+        c[axis] = side;
+        c[(axis + 1) % 3] = u * side;
+        c[(axis + 2) % 3] = v;
+        return Vec3d{c[0], c[1], c[2]} * half;
+      };
+      const Vec3d a = corner(-1, -1), b = corner(1, -1), c = corner(1, 1), d = corner(-1, 1);
+      points.insert(points.end(), {a, b, c, a, c, d});
+    }
+  return soup(points);
+}
+
+/// About the z axis.
+OwnedMesh torus(double major, double minor, std::uint32_t steps)
+{
+  OwnedMesh mesh;
+  for (std::uint32_t i = 0; i < 2 * steps; ++i)
+    for (std::uint32_t j = 0; j < steps; ++j) {
+      const double u = kPi * i / steps, v = 2 * kPi * j / steps;
+      const double r = major + minor * std::cos(v);
+      mesh.positions.push_back(
+          vec3Cast<float>(Vec3d{r * std::cos(u), r * std::sin(u), minor * std::sin(v)}));
+      mesh.vertexNormals.push_back({0, 0, 1});
+      const std::uint32_t nextI = (i + 1) % (2 * steps), nextJ = (j + 1) % steps;
+      const std::uint32_t a = i * steps + j, b = nextI * steps + j, c = nextI * steps + nextJ,
+                          d = i * steps + nextJ;
+      mesh.triangles.push_back({{a, b, c}});
+      mesh.triangles.push_back({{a, c, d}});
+    }
+  finish(mesh);
+  return mesh;
+}
+
+Mat4d turned(double aboutX, double aboutY)
+{
+  const double cx = std::cos(aboutX), sx = std::sin(aboutX), cy = std::cos(aboutY),
+               sy = std::sin(aboutY);
+  const Mat4d x = {{{1, 0, 0, 0}, {0, cx, -sx, 0}, {0, sx, cx, 0}, {0, 0, 0, 1}}};
+  const Mat4d y = {{{cy, 0, sy, 0}, {0, 1, 0, 0}, {-sy, 0, cy, 0}, {0, 0, 0, 1}}};
+  return y * x;
+}
+
+Mat4d scaled(Vec3d s)
+{
+  return {{{s.x, 0, 0, 0}, {0, s.y, 0, 0}, {0, 0, s.z, 0}, {0, 0, 0, 1}}};
+}
+
+struct Point2 {
+  double x, y;
+};
+double turn(Point2 a, Point2 b, Point2 c)
+{
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// The outline of a convex body: the convex hull of what its vertices become on the screen.
+std::vector<Point2> outlineOf(const Stage& stage, const OwnedMesh& mesh, const Mat4d& place)
+{
+  std::vector<Point2> points;
+  for (const Vec3f& p : mesh.positions) {
+    const Vec3d seen = stage.project(transformPoint(place, vec3Cast<double>(p)));
+    points.push_back({seen.x, seen.y});
+  }
+  std::sort(points.begin(), points.end(),
+            [](Point2 a, Point2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  std::vector<Point2> hull;
+  for (int pass = 0; pass < 2; ++pass) {
+    const std::size_t first = hull.size();
+    for (const Point2 p : points) {
+      while (hull.size() > first + 1 && turn(hull[hull.size() - 2], hull.back(), p) <= 1e-9)
+        hull.pop_back();
+      hull.push_back(p);
+    }
+    hull.pop_back();
+    std::reverse(points.begin(), points.end());
+  }
+  return hull;
+}
+
+/// Largest distance of p beyond the lines of the polygon's sides; negative inside.
+double beyond(const std::vector<Point2>& polygon, Point2 p)
+{
+  double most = -1e9;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Point2 a = polygon[i], b = polygon[(i + 1) % polygon.size()];
+    most = std::max(most, -turn(a, b, p) / std::hypot(b.x - a.x, b.y - a.y));
+  }
+  return most;
+}
+
+/// Each pixel's centre is solid inside the outline, ink up to `width` beyond the lines of its
+/// sides, so that corners are mitred and closed, and nothing farther out.
+void expectOutline(const Stage& stage, const Picture& picture, const std::vector<Point2>& outline,
+                   double width)
+{
+  std::size_t inked = 0;
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const double d = beyond(outline, {x + 0.5, y + 0.5});
+      if (std::fabs(d) < kSnapping || std::fabs(d - width) < kSnapping) continue;
+      const Rgba8 c = at(picture, x, y);
+      const bool isInk = d > 0 && d < width;
+      inked += isInk;
+      ASSERT_EQ(c.r, d < 0 ? 255 : 0) << x << ' ' << y << " at " << d << " green " << int{c.g};
+      ASSERT_EQ(c.g, isInk ? 255 : 0) << x << ' ' << y << " at " << d;
+    }
+  EXPECT_GT(inked, 60u);
+  EXPECT_EQ(stage.samples, 1);
+}
+
+class Hull : public BothBackends {};
+LIMN_ON_BOTH_BACKENDS(Hull);
+
+TEST_P(Hull, OfACubeIsEquallyWideAndClosedAtEveryTurn)
+{
+  const Solid cube(box({1, 1, 1}));
+  for (int frame = 0; frame < 360; ++frame) {
+    Stage stage;
+    stage.width = frame % 2 == 0 ? 96 : 128;
+    stage.height = 72;
+    stage.view = frame % 3 == 0 ? parallelView({0, 0, 5}, {0, 0, 0}, 2.4)
+                                : perspectiveView({0.8, -0.5, 5}, {0, 0, 0}, 50);
+    const Mat4d place = turned(frame * kPi / 45, frame * kPi / 180);
+    stage.instances = {cube.surface(place), cube.hull(4, place)};
+    expectOutline(stage, draw(stage), outlineOf(stage, cube.mesh, place), 4);
+    if (HasFatalFailure()) FAIL() << "frame " << frame;
+  }
+}
+
+// A hull that is moved by the same number in clip x and y is 1.78 times as wide at the sides of a
+// 16:9 picture, and one whose normal keeps its z is the narrower the more that is.
+TEST_P(Hull, HasTheSameWidthAtAnyDistanceAndAspect)
+{
+  const Solid ball(sphere(9, 14));
+  for (const double distance : {2.0, 3.0, 20.0, 200.0})
+    for (const int width : {96, 128}) {
+      Stage stage;
+      stage.width = width;
+      stage.height = 72;
+      const double half = std::asin(1 / distance) * 180 / kPi;
+      stage.view =
+          perspectiveView({0, 0, distance}, {0, 0, 0}, 2.8 * half, {distance / 3, distance * 2});
+      const Mat4d place = turned(0.3 * distance, 0.1);
+      stage.instances = {ball.hull(3, place), ball.surface(place)};
+      expectOutline(stage, draw(stage), outlineOf(stage, ball.mesh, place), 3);
+      if (HasFatalFailure()) FAIL() << "distance " << distance;
+    }
+}
+
+TEST_P(Hull, HasTheSameWidthFarFromTheMiddleOfAWideView)
+{
+  const Solid ball(sphere(9, 14));
+  Stage stage;
+  stage.width = 192;
+  stage.height = 108;
+  stage.view = perspectiveView({0, 0, 3}, {0, 0, 0}, 100);
+  const Mat4d place = translation({3.6, 1.2, 0}) * turned(0.5, 0.2);
+  stage.instances = {ball.surface(place), ball.hull(4, place)};
+  expectOutline(stage, draw(stage), outlineOf(stage, ball.mesh, place), 4);
+}
+
+TEST_P(Hull, HasTheSameWidthWhateverTheActorsMatrix)
+{
+  const Solid cube(box({1, 1, 1})), ball(sphere(9, 14));
+  for (const Vec3d scale : {Vec3d{0.3, 1.6, 0.8}, Vec3d{-1, 1, 1}, Vec3d{-1.5, -0.4, -1}})
+    for (const Solid* solid : {&cube, &ball})
+      for (int frame = 0; frame < 12; ++frame) {
+        Stage stage;
+        stage.view = perspectiveView({0.5, 0.3, 6}, {0, 0, 0}, 50);
+        const Mat4d place = turned(frame * 0.5, frame * 0.3) * scaled(scale) * turned(0.4, 0.7);
+        stage.instances = {solid->surface(place), solid->hull(3, place)};
+        stage.instances[0].cullBackFaces = true;
+        expectOutline(stage, draw(stage), outlineOf(stage, solid->mesh, place), 3);
+        if (HasFatalFailure()) FAIL() << "frame " << frame << " scale " << scale.x;
+      }
+}
+
+TEST_P(Hull, OfAFineSphereIsARingOfTheKnownArea)
+{
+  static const Solid ball(sphere(96, 192));
+  for (const bool parallel : {false, true}) {
+    Stage stage;
+    stage.width = 320;
+    stage.height = 240;
+    stage.samples = 8;
+    stage.view = parallel ? parallelView({0, 0, 3}, {0, 0, 0}, 1.2)
+                          : perspectiveView({0, 0, 3}, {0, 0, 0}, 50);
+    const double r = parallel ? 240 / (2 * 1.2) : 120 / std::tan(25 * kPi / 180) / std::sqrt(8.0);
+    const double w = 3.5;
+    const auto areaOf = [&] {
+      const Picture picture = draw(stage);
+      double area = 0;
+      for (const std::uint8_t bits : picture.coverage)
+        area += bitCount(bits) / 8.0;
+      return area;
+    };
+    stage.instances = {ball.surface()};
+    const double disc = areaOf();
+    stage.instances.push_back(ball.hull(static_cast<float>(w)));
+    const double ring = areaOf() - disc;
+    EXPECT_NEAR(ring, kPi * ((r + w) * (r + w) - r * r), 0.005 * ring) << parallel;
+  }
+}
+
+/// Widths of the ring in sectors, by the area of its samples there.
+TEST_P(Hull, HasOneWidthInAllDirections)
+{
+  static const Solid ball(sphere(96, 192));
+  Stage stage;
+  stage.width = 320;
+  stage.height = 240;
+  stage.samples = 8;
+  stage.view = parallelView({0, 0, 3}, {0, 0, 0}, 1.2);
+  const double r = 100;
+  constexpr int kSectors = 40;
+  stage.instances = {ball.hull(5)};
+  const Picture picture = draw(stage);
+  double area[kSectors] = {};
+  const Span<const SampleOffset> offsets = samplePositions(8);
+  for (int y = 0; y < stage.height; ++y)
+    for (int x = 0; x < stage.width; ++x)
+      for (std::size_t s = 0; s < offsets.size(); ++s) {
+        const std::size_t pixel = static_cast<std::size_t>(y * stage.width + x);
+        if ((picture.coverage[pixel] >> s & 1) == 0) continue;
+        const double dx = x + offsets[s].x / 256.0 - 160, dy = y + offsets[s].y / 256.0 - 120;
+        if (std::hypot(dx, dy) < r) continue;
+        const double turns = std::atan2(dy, dx) / (2 * kPi) + 1;
+        area[static_cast<int>(turns * kSectors) % kSectors] += 1.0 / 8;
+      }
+  double squares = 0;
+  for (const double one : area) {
+    const double width = std::sqrt(r * r + 2 * one / (2 * kPi / kSectors)) - r;
+    squares += (width - 5) * (width - 5);
+  }
+  EXPECT_LT(std::sqrt(squares / kSectors), 0.1);
+}
+
+TEST_P(Hull, KeepsTheInnerContourOfATorus)
+{
+  // The tube's near side lies before its far side: its upper contour is in the picture's middle.
+  static const Solid ring(torus(1, 0.45, 96));
+  Stage stage;
+  stage.width = 160;
+  stage.height = 200;
+  stage.view = parallelView({0, 0, 5}, {0, 0, 0}, 2);
+  const double tilt = 70 * kPi / 180;
+  const Mat4d place = turned(-tilt, 0);
+  stage.instances = {ring.surface(place), ring.hull(4, place)};
+  const Picture picture = draw(stage);
+  const double scale = 50, near = 100 + scale * (-std::cos(tilt) + 0.45);
+  ASSERT_LT(near + 4, 100 + scale * (std::cos(tilt) + 0.45)) << "the far side lies behind";
+  for (int y = static_cast<int>(near) - 10; y < static_cast<int>(near) + 10; ++y) {
+    const double d = y + 0.5 - near;
+    if (std::fabs(d) < 0.1 || std::fabs(d - 4) < 0.1) continue;
+    EXPECT_EQ(at(picture, 80, y).g, d > 0 && d < 4 ? 255 : 0) << y << " at " << d;
+    EXPECT_EQ(at(picture, 80, y).r, d > 0 && d < 4 ? 0 : 255) << y << " at " << d;
+  }
+}
+
+TEST_P(Hull, FillsTheRimOfATorusHoleFromInside)
+{
+  static const Solid ring(torus(1, 0.4, 64));
+  Stage stage;
+  stage.width = stage.height = 200;
+  stage.view = parallelView({0, 0, 5}, {0, 0, 0}, 1.6);
+  stage.instances = {ring.surface(), ring.hull(6)};
+  const Picture picture = draw(stage);
+  const double r = 0.6 * 62.5;
+  for (int y = 60; y < 140; ++y)
+    for (int x = 60; x < 140; ++x) {
+      const double d = r - std::hypot(x + 0.5 - 100, y + 0.5 - 100);
+      if (std::fabs(d) < 0.1 || std::fabs(d - 6) < 0.1) continue;
+      EXPECT_EQ(at(picture, x, y).g, d > 0 && d < 6 ? 255 : 0) << x << ' ' << y << " at " << d;
+    }
+}
+
+TEST_P(Hull, IsHiddenByWhatIsNearerAndHidesWhatIsFarther)
+{
+  const Solid cube(box({0.5, 0.5, 0.5}));
+  const OwnedMesh wall = sheet({-2, -2, 0}, {4, 0, 0}, {0, 4, 0});
+  Stage stage;
+  stage.view = parallelView({0, 0, 5}, {0, 0, 0}, 1);
+  for (const double z : {-1.0, 1.0}) {
+    Instance plane = painted(wall, {0, 0, 1}, 9);
+    plane.modelToWorld = translation({0, 0, z});
+    stage.instances = {plane, cube.surface(), cube.hull(4)};
+    const Picture picture = draw(stage);
+    EXPECT_EQ(at(picture, 22, 48).b, z > 0 ? 255 : 0);
+    EXPECT_EQ(at(picture, 22, 48).g, z > 0 ? 0 : 255);
+    EXPECT_EQ(at(picture, 18, 48).b, 255);
+  }
+}
+
+TEST_P(Hull, NamesItsInstanceAndACellBehindItAndNothingElse)
+{
+  const Solid cube(box({0.5, 0.5, 0.5}));
+  Stage stage;
+  stage.view = parallelView({0, 0, 5}, {0, 0, 0}, 1);
+  const Mat4d place = turned(0.5, 0.6);
+  stage.instances = {cube.surface(place)};
+  const Picture without = draw(stage);
+  stage.instances.push_back(cube.hull(4, place));
+  const Picture with = draw(stage);
+  std::size_t inked = 0;
+  for (std::size_t i = 0; i < with.color.size(); ++i) {
+    if (without.instance[i] == 3u) {
+      EXPECT_EQ(with.instance[i], 3u);
+      EXPECT_EQ(with.cell[i], without.cell[i]);
+      EXPECT_EQ(with.depth[i], without.depth[i]);
+    } else if (with.instance[i] != kNobody) {
+      EXPECT_EQ(with.instance[i], 4u);
+      ++inked;
+      // Its two triangles look away.
+      const std::uint32_t t = with.cell[i];
+      const auto corner = [&](int k) {
+        return transformPoint(
+            place, vec3Cast<double>(cube.mesh.positions[cube.mesh.triangles[t].vertex[k]]));
+      };
+      EXPECT_LT(cross(corner(1) - corner(0), corner(2) - corner(0)).z, 0);
+    }
+  }
+  EXPECT_GT(inked, 500u);
+}
+
+TEST_P(Hull, LetsShowThroughWhatItsOpacitySays)
+{
+  const Solid ball(sphere(24, 48));
+  Stage stage;
+  stage.view = perspectiveView({0, 0, 3}, {0, 0, 0}, 60);
+  stage.resolve = Resolve::kLinear;
+  stage.instances = {ball.surface(), ball.hull(5)};
+  const Picture solid = draw(stage);
+  stage.instances[1].style.outlineOpacity = 0.5f;
+  const Picture faint = draw(stage);
+  std::size_t inked = 0;
+  for (int y = 0; y < stage.height; ++y)
+    for (int x = 0; x < stage.width; ++x) {
+      if (at(solid, x, y).g == 0) continue;
+      ++inked;
+      EXPECT_EQ(at(faint, x, y).g, 128) << x << ' ' << y;
+    }
+  EXPECT_GT(inked, 500u);
+}
+
+TEST_P(Hull, OfNoWidthIsNone)
+{
+  const Solid cube(box({1, 1, 1}));
+  Stage stage;
+  stage.view = perspectiveView({2, 1, 4}, {0, 0, 0}, 50);
+  stage.instances = {cube.surface()};
+  const Picture without = draw(stage);
+  stage.instances.push_back(cube.hull(0));
+  EXPECT_EQ(draw(stage).differingPixels(without), 0u);
+}
+
+TEST_P(Hull, OfASolidThatIsInsideOutIsTheSame)
+{
+  OwnedMesh insideOut = box({0.8, 0.6, 0.5});
+  for (Triangle& t : insideOut.triangles)
+    std::swap(t.vertex[1], t.vertex[2]);
+  finish(insideOut);
+  const Solid cube(std::move(insideOut));
+  Stage stage;
+  stage.view = perspectiveView({2, 1, 4}, {0, 0, 0}, 40);
+  stage.instances = {cube.surface(), cube.hull(4)};
+  expectOutline(stage, draw(stage), outlineOf(stage, cube.mesh, Mat4d::identity()), 4);
+}
+
+TEST_P(Hull, OfAPlateThinnerThanAPixelHasItsWidth)
+{
+  const Solid plate(box({1, 1e-4, 0.7}));
+  Stage stage;
+  stage.view = parallelView({0, 0, 5}, {0, 0, 0}, 1.5);
+  stage.instances = {plate.surface(), plate.hull(4)};
+  const Picture picture = draw(stage);
+  for (int y = 40; y < 56; ++y)
+    EXPECT_EQ(at(picture, 48, y).g, std::fabs(y + 0.5 - 48) < 4 ? 255 : 0) << y;
+}
+
+TEST(HullEdgesTest, AreTheConvexEdgesOfTheSolid)
+{
+  const Solid cube(box({1, 1, 1}));
+  EXPECT_EQ(cube.mesh.hull.edges.size(), 12u) << "no diagonals";
+  EXPECT_EQ(cube.mesh.positions.size(), 36u);
+  std::vector<std::uint32_t> places = cube.mesh.hull.weld;
+  std::sort(places.begin(), places.end());
+  EXPECT_EQ(std::unique(places.begin(), places.end()) - places.begin(), 8);
+  EXPECT_TRUE(Solid(sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4)).mesh.hull.edges.empty());
+}
+
+TEST(HullEdgesTest, LeaveOutHollows)
+{
+  // A bump on a plane: its foot is hollow, its four ridges are not.
+  const std::vector<Vec3d> ridge = {{0, 0, 1},  {-1, -1, 0}, {1, -1, 0},  {0, 0, 1},  {1, -1, 0},
+                                    {1, 1, 0},  {0, 0, 1},   {1, 1, 0},   {-1, 1, 0}, {0, 0, 1},
+                                    {-1, 1, 0}, {-1, -1, 0}, {-1, -1, 0}, {0, -3, 0}, {1, -1, 0}};
+  EXPECT_EQ(Solid(soup(ridge)).mesh.hull.edges.size(), 4u);
+}
+
+TEST(HullEdgesTest, AreTheSameOnAnyNumberOfThreads)
+{
+  const OwnedMesh mesh = torus(1, 0.4, 64);
+  HullEdges one, many;
+  ASSERT_TRUE(buildHullEdges(mesh.view(), 1, one).ok());
+  ASSERT_TRUE(buildHullEdges(mesh.view(), 8, many).ok());
+  ASSERT_EQ(one.edges.size(), many.edges.size());
+  EXPECT_EQ(one.weld, many.weld);
+  for (std::size_t e = 0; e < one.edges.size(); ++e) {
+    EXPECT_EQ(one.edges[e].vertex[1], many.edges[e].vertex[1]);
+    EXPECT_EQ(one.edges[e].triangle[0], many.edges[e].triangle[0]);
+  }
+}
+
+}  // namespace
+}  // namespace limn::testing
