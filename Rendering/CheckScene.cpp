@@ -287,6 +287,42 @@ Status checkLayers(const Instance& instance, InstanceName name)
   return {};
 }
 
+Status checkLineStyle(const LineStyle& style, const std::string& name)
+{
+  if (!areNotNegative(
+          {style.opacity, style.width, style.outerFactor, style.taper, style.dash, style.gap}) ||
+      !isNotNegative(style.color))
+    return {Error::kNotFinite, name + " have a style value that is negative or not finite."};
+  if (style.opacity > 1) return {Error::kNotFinite, name + ": the opacity has to be 0 to 1."};
+  if (style.width <= 0 || style.width > kMaxLineWidth || style.outerFactor > kMaxLineWidth)
+    return {Error::kNotFinite, name + ": the width has to be above 0 and at most 256 pixels."};
+  // Dashes that no pixel tells apart would be without number.
+  if (style.dash > 0 && (style.gap <= 0 || style.dash + style.gap < 0.5f))
+    return {Error::kNotFinite,
+            name + ": dashes need gaps, and both together at least half a pixel."};
+  return {};
+}
+
+Status checkLines(const LineSet& set, const std::string& name)
+{
+  if (Status status = checkLineStyle(set.style, name); !status.ok()) return status;
+  const std::size_t points = set.points.vertexCount();
+  for (const std::uint32_t vertex : set.vertex)
+    if (vertex >= points)
+      return {Error::kIndexOutOfRange, name + " name a point that is not there."};
+  for (std::size_t i = 0; i < set.first.size(); ++i)
+    if (set.first[i] > set.vertex.size() || (i > 0 && set.first[i] < set.first[i - 1]))
+      return {Error::kIndexOutOfRange, name + " have a chain that is out of order."};
+  if (!set.flags.empty() && set.flags.size() < set.vertex.size())
+    return {Error::kSizeMismatch, name + " have flags for some segments only; give all or none."};
+  if (!set.slack.empty() && set.slack.size() < points)
+    return {Error::kSizeMismatch, name + " have slack for some points only; give all or none."};
+  if (!std::all_of(set.slack.begin(), set.slack.end(),
+                   [](float slack) { return areNotNegative({slack}); }))
+    return {Error::kNotFinite, name + " have a slack that is negative or not finite."};
+  return {};
+}
+
 Status checkInstance(const Instance& instance, std::size_t number, Backend backend)
 {
   const InstanceName name = {number};
@@ -296,6 +332,11 @@ Status checkInstance(const Instance& instance, std::size_t number, Backend backe
   if (instance.hull != nullptr) return checkHull(instance, name);
   if (Status status = checkRamp(instance.style, name); !status.ok()) return status;
   if (Status status = checkLayers(instance, name); !status.ok()) return status;
+  for (std::size_t i = 0; i < instance.lines.size(); ++i)
+    if (Status status =
+            checkLines(instance.lines[i], name + (": lines " + std::to_string(i)).c_str());
+        !status.ok())
+      return status;
   if (backend == Backend::kPipeline) {
     if (instance.clusters == nullptr)
       return {Error::kMissingData, name + " has no clusters; call buildClusters()."};

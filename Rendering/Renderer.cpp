@@ -7,6 +7,7 @@
 #include "Rendering/Binning/BinClusters.h"
 #include "Rendering/CheckEffects.h"
 #include "Rendering/CheckScene.h"
+#include "Rendering/Lines/DrawStrokes.h"
 #include "Rendering/Post/ClearPixels.h"
 #include "Rendering/Post/CompositeTile.h"
 #include "Rendering/Post/EffectPass.h"
@@ -17,6 +18,7 @@
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Reference/ReferenceEffects.h"
 #include "Rendering/Reference/ReferenceRenderer.h"
+#include "Rendering/Reference/ReferenceStrokes.h"
 #include "Rendering/Shading/Fragments.h"
 #include "Rendering/Shading/TranslucentFragments.h"
 #include "Rendering/Vertex/PlacedScene.h"
@@ -191,6 +193,17 @@ TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t t
   return stats;
 }
 
+void addTouched(const TileRectangle& more, TileBins& bins)
+{
+  TileRectangle& all = bins.touched;
+  if (more.x0 >= more.x1 || more.y0 >= more.y1) return;
+  if (all.x0 >= all.x1)
+    all = more;
+  else
+    all = {std::min(all.x0, more.x0), std::min(all.y0, more.y0), std::max(all.x1, more.x1),
+           std::max(all.y1, more.y1)};
+}
+
 void countScene(const PlacedScene& scene, const TileBins& bins, RenderStats& stats)
 {
   stats.instances = scene.instances.size();
@@ -215,6 +228,9 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
       placeScene(scene, frame.width, frame.height, options.optimizations, options.threads);
   TileBins bins;
   if (Status status = binClusters(placed, options.threads, bins); !status.ok()) return status;
+  const bool drawsStrokes = hasLines(scene);
+  if (drawsStrokes)
+    addTouched(boundStrokes(scene, frame.width, frame.height, options.threads), bins);
   for (std::size_t tile = 0; tile < bins.grid.count(); ++tile)
     if (bins.clustersOf(tile).size() > TileOwner::kMaxClustersPerTile)
       return {Error::kTooManyPrimitives,
@@ -229,6 +245,7 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     occluded.fetch_add(drawn.occludedClusters, std::memory_order_relaxed);
     truncated.fetch_add(drawn.truncatedPixels, std::memory_order_relaxed);
   });
+  if (drawsStrokes) drawStrokes(scene, frame, options.threads);
   stats.occludedClusters = occluded;
   stats.truncatedPixels = truncated;
   stats.tileMilliseconds = tileTime.milliseconds();
@@ -249,6 +266,7 @@ Status render(const Scene& scene, const FrameView& frame, const RenderOptions& o
     if (frame.clear.extent != FrameClear::Extent::kNothing)
       clearPixels(frame, {0, 0, frame.width, frame.height});
     frameStats.truncatedPixels = reference::render(scene, frame);
+    reference::drawStrokes(scene, frame);
     frameStats.instances = scene.instances.size();
     for (const Instance& instance : scene.instances)
       frameStats.triangles += instance.mesh.triangles.size();

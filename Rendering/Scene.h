@@ -5,6 +5,7 @@
 #include "Rendering/Base/Mat4.h"
 #include "Rendering/Base/Span.h"
 #include "Rendering/Base/Vec.h"
+#include "Rendering/Lines/LineSet.h"
 #include "Rendering/Mesh/ClusteredMesh.h"
 #include "Rendering/Mesh/HullEdges.h"
 #include "Rendering/Mesh/MeshView.h"
@@ -258,6 +259,10 @@ struct Instance {
   /// mesh hides its hull wherever it is. What shows has the names of the instance and of the cells.
   /// Borders of open meshes are no outline.
   const HullEdges* hull = nullptr;
+  /// Drawn over the finished surfaces of all instances, in the order of instances, then sets. They
+  /// write no names; their depth where they cover half of a pixel and are nearer than what is
+  /// there.
+  Span<const LineSet> lines = {};
 
   /// Whether a tone finds colours of data that it does not treat classically.
   bool tonesData() const

@@ -262,6 +262,39 @@ TEST_P(EveryTarget, PlacesHullsLikeTheReference)
   EXPECT_GT(changedPixels, 200000u) << "the hulls must show";
 }
 
+TEST_P(EveryTarget, DrawsLinesLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0, newSamples = 0, newDepths = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kLines);
+    Picture expected = random.canvas(), actual = random.canvas(), plain = random.canvas();
+    if (seed % 3 == 0)
+      for (Picture* picture : {&expected, &actual})
+        picture->addRadiance();
+    ASSERT_TRUE(
+        render(random.scene(), expected.frame(random.background()), {Backend::kReference, 1}).ok());
+    ASSERT_TRUE(render(random.scene(), actual.frame(random.background()),
+                       {Backend::kPipeline, kThreads[seed % 4]})
+                    .ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    Scene scene = random.scene();
+    std::vector<Instance> instances(scene.instances.begin(), scene.instances.end());
+    for (Instance& instance : instances)
+      instance.lines = {};
+    scene.instances = instances;
+    ASSERT_TRUE(render(scene, plain.frame(random.background())).ok());
+    for (std::size_t i = 0; i < plain.color.size(); ++i) {
+      changedPixels += plain.color[i].r != actual.color[i].r;
+      newSamples += plain.coverage[i] != actual.coverage[i];
+      newDepths += plain.depth[i] != actual.depth[i];
+    }
+  }
+  EXPECT_GT(changedPixels, 300000u) << "lines must show";
+  EXPECT_GT(newSamples, 5000u);
+  EXPECT_GT(newDepths, 20000u);
+}
+
 TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)
 {
   std::size_t occluded = 0;

@@ -244,6 +244,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (random.chance(4)) lights_ = {Light{}};
   placeCamera(random);
   if (detail == Detail::kLights) addLights();
+  if (detail == Detail::kLines) addLines(Random(seed ^ 0x11E5u));
   const bool isShaded = detail == Detail::kShaders;
   const bool isToned = detail == Detail::kTones;
   const bool isTranslucent = detail == Detail::kTranslucent || detail == Detail::kFineTranslucent ||
@@ -287,12 +288,13 @@ void RandomScene::addMesh(Random& random, Detail detail)
   const auto shape = static_cast<Shape>(random.below(static_cast<std::uint32_t>(Shape::kShapes)));
   std::vector<Vec3d> points =
       detail == Detail::kFine || detail == Detail::kFineTranslucent ||
-              (detail == Detail::kHulls && seed_ % 8 == 0)
+              (detail == Detail::kHulls && seed_ % 8 == 0) ||
+              (detail == Detail::kLines && seed_ % 5 == 0)
           ? makeBumpySphere(random, *mesh)
       : detail == Detail::kHulls ? makeSolids(random, *mesh)
       : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
-                                       detail == Detail::kTranslucent ||
-                                       detail == Detail::kTones || detail == Detail::kDataTones) &&
+                                       detail == Detail::kTranslucent || detail == Detail::kTones ||
+                                       detail == Detail::kDataTones || detail == Detail::kLines) &&
                                       seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
@@ -724,6 +726,61 @@ void RandomScene::addEffects(Random random)
   fxaa.subpixelBlendLimit = number(0, 1);
   fxaa.subpixelContrastThreshold = random.chance(8) ? 1.0f : number(0, 1);
   fxaa.endpointSearchIterations = static_cast<int>(random.below(30));
+}
+
+LineStyle randomLineStyle(Random& random)
+{
+  const auto number = [&](double low, double high) {
+    return static_cast<float>(random.between(low, high));
+  };
+  LineStyle style;
+  style.color = random.color() * 1.2f;
+  style.opacity = random.chance(2) ? 1.0f : number(0, 1);
+  style.width = random.chance(3) ? number(0.05, 1) : number(0.5, random.chance(6) ? 40 : 6);
+  if (random.chance(2)) style.outerFactor = number(0, 3);
+  if (random.chance(2)) style.taper = number(0, random.chance(3) ? 300 : 30);
+  if (random.chance(3)) {
+    style.dash = number(0.3, 20);
+    style.gap = number(0.3, 20);
+  }
+  style.hidden = static_cast<HiddenLines>(random.below(3));
+  style.cap = static_cast<LineCap>(random.below(2));
+  return style;
+}
+
+void RandomScene::addLines(Random random)
+{
+  for (Instance& instance : instances_) {
+    const MeshView& mesh = instance.mesh;
+    EdgeTable table;
+    if (!buildEdgeTable(mesh, random.chance(5) ? 0.05 : 0, 2, table).ok()) std::abort();
+    FeatureArrays arrays;
+    if (!random.chance(3)) arrays.cells = instance.attributes.cells;
+    const auto kinds = edgeKinds(mesh, table, arrays, random.between(0, 120), 2);
+    lines_.emplace_back();
+    const std::uint32_t sets = 1 + random.below(3);
+    for (std::uint32_t i = 0; i < sets; ++i) {
+      chains_.push_back(std::make_unique<OwnedLines>());
+      OwnedLines& own = *chains_.back();
+      const unsigned chosen = 1 + random.below(31);
+      EdgeChains edges = chainEdges(table, kinds, chosen);
+      markOuterEdges(mesh, table, scene_.camera, instance.modelToWorld, edges);
+      own.chains = std::move(edges.chains);
+      for (std::uint8_t& flags : own.chains.flags)
+        if (random.chance(10)) flags = static_cast<std::uint8_t>(random.below(4));
+      if (random.chance(3)) own.chains.flags.clear();
+      LineSet set = own.chains.lines(mesh, randomLineStyle(random));
+      // Equal styles are one drawing.
+      if (i > 0 && random.chance(3)) set.style = lines_.back().back().style;
+      if (random.chance(3)) {
+        for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+          own.slack.push_back(static_cast<float>(random.between(0, 0.5)));
+        set.slack = own.slack;
+      }
+      lines_.back().push_back(set);
+    }
+    instance.lines = lines_.back();
+  }
 }
 
 void RandomScene::addShaders(Random random)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Lines/ChainEdges.h"
 #include "Rendering/Mesh/BuildClusters.h"
 #include "Rendering/Mesh/FaceGeometry.h"
 #include "Rendering/Mesh/VertexNormals.h"
@@ -94,6 +95,7 @@ class RandomScene {
     kTones,
     kDataTones,        ///< as kAny or kCoarse, with tones over colours of data
     kHulls,            ///< closed surfaces, coarse or as kFine, with inverted hulls
+    kLines,            ///< as kAny, kFine or kCoarse, with lines of all kinds
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -125,6 +127,7 @@ class RandomScene {
   void placeCamera(Random& random);
   void addEffects(Random random);
   void addShaders(Random random);
+  void addLines(Random random);
 
   std::uint32_t seed_;
   int width_, height_;
@@ -135,6 +138,12 @@ class RandomScene {
   std::vector<std::vector<TextureLayer>> layers_;  ///< by instance
   std::vector<Instance> instances_;
   std::vector<std::unique_ptr<SurfaceShader>> shaders_;
+  struct OwnedLines {
+    LineChains chains;
+    std::vector<float> slack;
+  };
+  std::vector<std::unique_ptr<OwnedLines>> chains_;
+  std::vector<std::vector<LineSet>> lines_;  ///< by instance
   std::vector<Light> lights_;
   Scene scene_;
   Background background_;

@@ -25,6 +25,7 @@ constexpr std::uint64_t kHashOfLights = 13210657878963063253u;
 constexpr std::uint64_t kHashOfTextures = 6601808570278293167u;
 constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
+constexpr std::uint64_t kHashOfLines = 14605611306974679685u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 10525385779553263118u;
 constexpr std::uint64_t kHashOfDataTones = 17885076244719390221u;
@@ -161,6 +162,13 @@ TEST_P(SameBytes, HullsHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kHulls);
   std::cout << "kHashOfHulls " << hash << '\n';
   EXPECT_EQ(hash, kHashOfHulls);
+}
+
+TEST_P(SameBytes, LinesHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kLines);
+  std::cout << "kHashOfLines " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfLines);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),

@@ -304,6 +304,70 @@ const Mistake kInstanceMistakes[] = {
      }},
 };
 
+/// A scene with a line that a test spoils.
+LineSet lineOf(Input& input)
+{
+  static const std::uint32_t vertex[] = {0, 1}, first[] = {0, 2};
+  return {input.mesh.view(), {vertex, 2}, {first, 2}, {}, {}, {}};
+}
+
+template <class Spoil>
+void spoilLine(Input& input, const Spoil& spoil)
+{
+  static LineSet lines;
+  lines = lineOf(input);
+  spoil(lines);
+  input.instance().lines = {&lines, 1};
+}
+
+const Mistake kLineMistakes[] = {
+    {"LineColorNan", Error::kNotFinite, "lines 0",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.color.y = kNan; }); }},
+    {"LineOpacityAboveOne", Error::kNotFinite, "opacity",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.opacity = 1.1f; }); }},
+    {"LineWidthZero", Error::kNotFinite, "width",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.width = 0; }); }},
+    {"LineWidthInfinite", Error::kNotFinite, "style",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.width = kInfinity; }); }},
+    {"LineWidthTooLarge", Error::kNotFinite, "width",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.width = 257; }); }},
+    {"LineTaperNegative", Error::kNotFinite, "style",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.taper = -1; }); }},
+    {"LineOuterFactorNan", Error::kNotFinite, "style",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.outerFactor = kNan; }); }},
+    {"LineDashesWithoutGaps", Error::kNotFinite, "gaps",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.dash = 3; }); }},
+    {"LineDashesTooShort", Error::kNotFinite, "half a pixel",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.style.dash = l.style.gap = 1e-4f; }); }},
+    {"LineOfNoPoint", Error::kIndexOutOfRange, "point",
+     [](Input& i) { spoilLine(i, [](LineSet& l) { l.points.positions = {}; }); }},
+    {"LineChainsOutOfOrder", Error::kIndexOutOfRange, "order",
+     [](Input& i) {
+       static const std::uint32_t first[] = {2, 0};
+       spoilLine(i, [](LineSet& l) { l.first = {first, 2}; });
+     }},
+    {"LineChainsTooLong", Error::kIndexOutOfRange, "order",
+     [](Input& i) {
+       static const std::uint32_t first[] = {0, 3};
+       spoilLine(i, [](LineSet& l) { l.first = {first, 2}; });
+     }},
+    {"LineFlagsTooShort", Error::kSizeMismatch, "flags",
+     [](Input& i) {
+       static const std::uint8_t flags[] = {0};
+       spoilLine(i, [](LineSet& l) { l.flags = {flags, 1}; });
+     }},
+    {"LineSlackTooShort", Error::kSizeMismatch, "slack",
+     [](Input& i) {
+       static const float slack[] = {0};
+       spoilLine(i, [](LineSet& l) { l.slack = {slack, 1}; });
+     }},
+    {"LineSlackNan", Error::kNotFinite, "slack",
+     [](Input& i) {
+       static const float slack[] = {0, kNan, 0, 0};
+       spoilLine(i, [](LineSet& l) { l.slack = {slack, 4}; });
+     }},
+};
+
 class Mistakes : public ::testing::TestWithParam<std::tuple<Mistake, Backend>> {};
 
 TEST_P(Mistakes, AreToldAndNothingIsDrawn)
@@ -328,6 +392,9 @@ INSTANTIATE_TEST_SUITE_P(Frame, Mistakes,
                          nameOf);
 INSTANTIATE_TEST_SUITE_P(Scene, Mistakes,
                          ::testing::Combine(::testing::ValuesIn(kSceneMistakes), bothBackends()),
+                         nameOf);
+INSTANTIATE_TEST_SUITE_P(Lines, Mistakes,
+                         ::testing::Combine(::testing::ValuesIn(kLineMistakes), bothBackends()),
                          nameOf);
 INSTANTIATE_TEST_SUITE_P(Instance, Mistakes,
                          ::testing::Combine(::testing::ValuesIn(kInstanceMistakes), bothBackends()),

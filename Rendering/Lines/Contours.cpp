@@ -1,0 +1,341 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Lines/Contours.h"
+
+#include "Rendering/Lines/Facing.h"
+#include "Rendering/Base/Executor.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace limn {
+namespace {
+
+constexpr std::size_t kPerTask = 8192;
+
+/// Calls body(task, first, end) for stretches of [0, count).
+template <class Body>
+void forEachStretch(int threads, std::size_t count, const Body& body)
+{
+  parallelFor(threads, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
+    body(task, task * kPerTask, std::min(count, (task + 1) * kPerTask));
+  });
+}
+std::size_t taskCount(std::size_t count)
+{
+  return (count + kPerTask - 1) / kPerTask;
+}
+
+/// Share of an edge's length by which facets may lie before the contour of the smooth surface.
+constexpr double kFacetSlack = 0.5;
+
+/// One side of an edge as its face has it.
+struct EdgeSide {
+  std::uint32_t corner[2];  ///< at the edge's two places
+  bool isFront[2];
+
+  bool crosses() const { return isFront[0] != isFront[1]; }
+};
+
+/// Where a triangle's contour comes in or goes out. Of the edges in their order.
+struct Passage {
+  std::uint32_t triangle, point;
+};
+
+/// What some edges add.
+struct EdgeContours {
+  std::vector<Vec3d> points;
+  std::vector<float> lengths;  ///< of the points' edges, in view units
+  std::vector<Passage> passages;
+  /// Along an edge, between points: of this list, or a place of the mesh.
+  struct Along {
+    std::uint32_t a, b;
+    bool aIsPlace, bIsPlace;
+  };
+  std::vector<Along> along;
+};
+
+class ContourFinder {
+ public:
+  ContourFinder(const MeshView& mesh, const EdgeTable& table, const FeatureArrays& arrays,
+                const Camera& camera, const Mat4d& modelToWorld)
+      : mesh_(mesh),
+        table_(table),
+        arrays_(arrays),
+        facing_(mesh, camera, modelToWorld),
+        toView_(camera.worldToView * modelToWorld),
+        normalToView_(cofactor3(toView_))
+  {
+  }
+
+  void findFronts(int threads)
+  {
+    const bool isByCorner = !arrays_.normalOfCorner.empty();
+    front_.resize(isByCorner ? 3 * mesh_.triangles.size() : mesh_.vertexCount());
+    forEachStretch(threads, front_.size(), [&](std::size_t, std::size_t first, std::size_t end) {
+      for (std::size_t i = first; i < end; ++i) {
+        const std::uint32_t vertex =
+            isByCorner ? mesh_.triangles[i / 3].vertex[i % 3] : static_cast<std::uint32_t>(i);
+        if (vertex >= mesh_.vertexCount()) continue;
+        const std::uint32_t normal =
+            isByCorner ? arrays_.normalOfCorner[i] : static_cast<std::uint32_t>(i);
+        front_[i] = slope(mesh_.position(vertex), unit(normal)) >= 0 ? 1 : 0;
+      }
+    });
+  }
+
+  void add(const MeshEdge& edge, EdgeContours& found) const
+  {
+    const EdgeSide sides[2] = {side(edge, 0), edge.isShared() ? side(edge, 1) : side(edge, 0)};
+    if (sides[0].isFront[0] == sides[0].isFront[1] && sides[0].isFront[0] == sides[1].isFront[0] &&
+        sides[0].isFront[0] == sides[1].isFront[1])
+      return;
+    const bool isSmooth =
+        normal(sides[0], 0) == normal(sides[1], 0) && normal(sides[0], 1) == normal(sides[1], 1);
+    if (isSmooth) {
+      if (!sides[0].crosses()) return;
+      const std::uint32_t point = addPoint(edge, found, crossing(edge, sides[0], true).second);
+      for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
+        found.passages.push_back({edge.corner[f] / 3, point});
+      return;
+    }
+    addAlong(edge, sides, found);
+  }
+
+  double viewLength(const MeshEdge& edge) const
+  {
+    const Vec3d apart = facing_.inView(edge.vertex[0]) - facing_.inView(edge.vertex[1]);
+    return std::sqrt(dot(apart, apart));
+  }
+
+  /// Whether the front lies towards the viewer, as where a surface bulges; contours of others are
+  /// behind the surface itself.
+  bool bulges(std::uint32_t triangle) const
+  {
+    Vec3d p[3];
+    double g[3];
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      p[k] = facing_.inView(mesh_.triangles[triangle].vertex[k]);
+      g[k] = slope(mesh_.position(mesh_.triangles[triangle].vertex[k]),
+                   unit(normalNumber(3 * triangle + k)));
+    }
+    const Vec3d e1 = p[1] - p[0], e2 = p[2] - p[0], v = facing_.towardEye(p[0]);
+    const double d11 = dot(e1, e1), d12 = dot(e1, e2), d22 = dot(e2, e2);
+    const double v1 = dot(v, e1), v2 = dot(v, e2);
+    return (v1 * d22 - v2 * d12) * (g[1] - g[0]) + (d11 * v2 - d12 * v1) * (g[2] - g[0]) > 0;
+  }
+
+ private:
+  std::uint32_t normalNumber(std::uint32_t corner) const
+  {
+    return arrays_.normalOfCorner.empty() ? mesh_.triangles[corner / 3].vertex[corner % 3]
+                                          : arrays_.normalOfCorner[corner];
+  }
+  Vec3d unit(std::uint32_t normal) const
+  {
+    return normalized(vec3Cast<double>(arrays_.vertexNormals[normal]));
+  }
+  Vec3d normal(const EdgeSide& side, int end) const { return unit(normalNumber(side.corner[end])); }
+  /// n.v times lengths, above 0 in front.
+  double slope(Vec3d position, Vec3d normal) const
+  {
+    const Vec3d p = transformPoint(toView_, position);
+    const double value = dot(transformDirection(normalToView_, normal), facing_.towardEye(p));
+    return facing_.isMirrored() ? -value : value;
+  }
+
+  EdgeSide side(const MeshEdge& edge, int face) const
+  {
+    const std::uint32_t corner = edge.corner[face];
+    const std::uint32_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
+    const bool isForward = table_.runsForward(mesh_, edge, face);
+    EdgeSide result;
+    result.corner[0] = isForward ? corner : next;
+    result.corner[1] = isForward ? next : corner;
+    for (int end = 0; end < 2; ++end) {
+      const std::uint32_t at = result.corner[end];
+      const std::size_t i =
+          arrays_.normalOfCorner.empty() ? mesh_.triangles[at / 3].vertex[at % 3] : at;
+      result.isFront[end] = front_[i] != 0;
+    }
+    return result;
+  }
+
+  /// Share of the edge, and place, where a side that crosses does so.
+  std::pair<double, Vec3d> crossing(const MeshEdge& edge, const EdgeSide& side, bool isCurved) const
+  {
+    const Vec3d p = mesh_.position(edge.vertex[0]), q = mesh_.position(edge.vertex[1]);
+    const Vec3d n0 = normal(side, 0), n1 = normal(side, 1);
+    const Vec3d e = q - p, sum = n0 + n1;
+    const double squared = dot(e, e);
+    const Vec3d middle = normalized(sum - e * (squared > 0 ? 2 * dot(e, sum) / squared : 0));
+    const Vec3d p1 = p + (e - n0 * dot(e, n0)) * (1.0 / 3),
+                q1 = q - (e - n1 * dot(e, n1)) * (1.0 / 3);
+    const auto place = [&](double t) {
+      const double s = 1 - t;
+      if (!isCurved) return p * s + q * t;
+      return (p * (s * s * s) + p1 * (3 * s * s * t)) + (q1 * (3 * s * t * t) + q * (t * t * t));
+    };
+    double low = 0, high = 1;
+    constexpr int kHalvings = 40;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double t = 0.5 * (low + high), s = 1 - t;
+      const Vec3d n = (n0 * (s * s) + middle * (2 * s * t)) + n1 * (t * t);
+      const bool isFront = slope(place(t), n) >= 0;
+      (isFront == side.isFront[0] ? low : high) = t;
+    }
+    return {low, place(low)};
+  }
+
+  std::uint32_t addPoint(const MeshEdge& edge, EdgeContours& found, Vec3d place) const
+  {
+    found.points.push_back(place);
+    found.lengths.push_back(static_cast<float>(viewLength(edge)));
+    return static_cast<std::uint32_t>(found.points.size() - 1);
+  }
+
+  /// Both sides' crossings, and the edge itself where one side is front and the other is not.
+  void addAlong(const MeshEdge& edge, const EdgeSide (&sides)[2], EdgeContours& found) const
+  {
+    struct Stop {
+      double t;
+      std::uint32_t point;
+      bool isPlace;
+    };
+    std::vector<Stop> stops = {{0, edge.vertex[0], true}};
+    for (int f = 0; f < 2; ++f) {
+      if (!sides[f].crosses()) continue;
+      const auto [t, place] = crossing(edge, sides[f], false);
+      const std::uint32_t point = addPoint(edge, found, place);
+      found.passages.push_back({edge.corner[f] / 3, point});
+      stops.push_back({t, point, false});
+    }
+    if (stops.size() == 3 && stops[2].t < stops[1].t) std::swap(stops[1], stops[2]);
+    stops.push_back({1, edge.vertex[1], true});
+    bool differs = sides[0].isFront[0] != sides[1].isFront[0];
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      if (differs)
+        found.along.push_back(
+            {stops[i].point, stops[i + 1].point, stops[i].isPlace, stops[i + 1].isPlace});
+      differs = !differs;
+    }
+  }
+
+  const MeshView& mesh_;
+  const EdgeTable& table_;
+  const FeatureArrays& arrays_;
+  Facing facing_;
+  Mat4d toView_, normalToView_;
+  std::vector<std::uint8_t> front_;
+};
+
+/// Puts what the edges found together.
+class ContourAssembler {
+ public:
+  explicit ContourAssembler(const MeshView& mesh) : mesh_(mesh) {}
+
+  void add(const EdgeContours& some)
+  {
+    const auto first = static_cast<std::uint32_t>(lines_.points.size());
+    lines_.points.insert(lines_.points.end(), some.points.begin(), some.points.end());
+    lengths_.insert(lengths_.end(), some.lengths.begin(), some.lengths.end());
+    for (const Passage& passage : some.passages)
+      passages_.push_back({passage.triangle, passage.point + first});
+    for (const EdgeContours::Along& along : some.along)
+      along_.push_back({along.aIsPlace ? along.a : along.a + first,
+                        along.bIsPlace ? along.b : along.b + first, along.aIsPlace,
+                        along.bIsPlace});
+  }
+
+  ContourLines assemble(const ContourFinder& finder)
+  {
+    lines_.slack.assign(lines_.points.size(), 0.0f);
+    linkTriangles(finder);
+    linkEdges();
+    lines_.slack.resize(lines_.points.size(), 0.0f);
+    chainLinks(links_, lines_.points.size(), lines_.chains, nullptr);
+    lines_.chains.flags.assign(lines_.chains.vertex.size(), kOuterLine);
+    return std::move(lines_);
+  }
+
+ private:
+  void linkTriangles(const ContourFinder& finder)
+  {
+    std::stable_sort(passages_.begin(), passages_.end(),
+                     [](const Passage& a, const Passage& b) { return a.triangle < b.triangle; });
+    for (std::size_t i = 0; i + 1 < passages_.size(); ++i) {
+      const Passage a = passages_[i], b = passages_[i + 1];
+      if (a.triangle != b.triangle) continue;
+      links_.push_back({a.point, b.point, a.triangle});
+      if (finder.bulges(a.triangle))
+        for (const std::uint32_t point : {a.point, b.point})
+          lines_.slack[point] = static_cast<float>(kFacetSlack) * lengths_[point];
+      ++i;
+    }
+  }
+  void linkEdges()
+  {
+    std::vector<std::uint32_t> places;
+    for (const EdgeContours::Along& along : along_) {
+      if (along.aIsPlace) places.push_back(along.a);
+      if (along.bIsPlace) places.push_back(along.b);
+    }
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+    const auto first = static_cast<std::uint32_t>(lines_.points.size());
+    for (const std::uint32_t place : places)
+      lines_.points.push_back(mesh_.position(place));
+    const auto pointOf = [&](std::uint32_t number, bool isPlace) {
+      if (!isPlace) return number;
+      const auto at = std::lower_bound(places.begin(), places.end(), number);
+      return first + static_cast<std::uint32_t>(at - places.begin());
+    };
+    for (const EdgeContours::Along& along : along_)
+      links_.push_back(
+          {pointOf(along.a, along.aIsPlace), pointOf(along.b, along.bIsPlace), kNoCorner});
+  }
+
+  const MeshView& mesh_;
+  ContourLines lines_;
+  std::vector<float> lengths_;
+  std::vector<Passage> passages_;
+  std::vector<EdgeContours::Along> along_;
+  std::vector<LineLink> links_;
+};
+
+}  // namespace
+
+EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const Camera& camera,
+                           const Mat4d& modelToWorld, int threads)
+{
+  const Facing facing(mesh, camera, modelToWorld);
+  std::vector<std::uint8_t> isChosen(table.edges.size(), 0);
+  forEachStretch(threads, table.edges.size(), [&](std::size_t, std::size_t first, std::size_t end) {
+    for (std::size_t e = first; e < end; ++e)
+      isChosen[e] = table.edges[e].isShared() && facing.isOuter(table, table.edges[e]);
+  });
+  EdgeChains chains = chainEdges(table, isChosen, 1);
+  chains.chains.flags.assign(chains.edge.size(), kOuterLine);
+  return chains;
+}
+
+ContourLines smoothContours(const MeshView& mesh, const EdgeTable& table,
+                            const FeatureArrays& arrays, const Camera& camera,
+                            const Mat4d& modelToWorld, int threads)
+{
+  ContourFinder finder(mesh, table, arrays, camera, modelToWorld);
+  finder.findFronts(threads);
+  std::vector<EdgeContours> found(taskCount(table.edges.size()));
+  forEachStretch(threads, table.edges.size(),
+                 [&](std::size_t task, std::size_t first, std::size_t end) {
+                   for (std::size_t e = first; e < end; ++e)
+                     finder.add(table.edges[e], found[task]);
+                 });
+  ContourAssembler assembler(mesh);
+  for (const EdgeContours& some : found)
+    assembler.add(some);
+  return assembler.assemble(finder);
+}
+
+}  // namespace limn

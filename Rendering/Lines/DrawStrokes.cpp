@@ -1,0 +1,320 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Lines/DrawStrokes.h"
+
+#include "Rendering/Lines/LinePlace.h"
+#include "Rendering/Lines/StrokePieces.h"
+#include "Rendering/Lines/TileStroke.h"
+#include "Rendering/Base/Executor.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+
+namespace limn {
+namespace {
+
+constexpr std::size_t kPiecesPerTask = 1024;
+constexpr std::size_t kPointsPerTask = 4096;
+
+/// Calls body(first, end) for stretches of [0, count), in any order.
+template <class Body>
+void forEachStretch(int threads, std::size_t count, std::size_t size, const Body& body)
+{
+  parallelFor(threads, (count + size - 1) / size,
+              [&](std::size_t task) { body(task * size, std::min(count, (task + 1) * size)); });
+}
+
+/// For each tile the pieces that may cover some of it.
+class StrokeBins {
+ public:
+  StrokeBins(const StrokePlan& plan, const TileGrid& grid, int threads)
+      : grid_(grid), first_(grid.count() + 1, 0)
+  {
+    std::vector<std::atomic<std::uint32_t>> next(grid.count());
+    forEachPiece(plan, threads, [&](std::size_t tile, std::uint32_t) {
+      next[tile].fetch_add(1, std::memory_order_relaxed);
+    });
+    for (std::size_t tile = 0; tile < grid.count(); ++tile) {
+      first_[tile + 1] = first_[tile] + next[tile].load();
+      next[tile].store(first_[tile]);
+    }
+    piece_.resize(first_.back());
+    forEachPiece(plan, threads, [&](std::size_t tile, std::uint32_t piece) {
+      piece_[next[tile].fetch_add(1, std::memory_order_relaxed)] = piece;
+    });
+  }
+
+  /// Ascending, whatever thread came first.
+  Span<const std::uint32_t> sorted(std::size_t tile)
+  {
+    std::uint32_t* const begin = piece_.data() + first_[tile];
+    std::uint32_t* const end = piece_.data() + first_[tile + 1];
+    std::sort(begin, end);
+    return {begin, static_cast<std::size_t>(end - begin)};
+  }
+
+ private:
+  template <class Visit>
+  void forEachPiece(const StrokePlan& plan, int threads, const Visit& visit) const
+  {
+    forEachStretch(
+        threads, plan.pieces.size(), kPiecesPerTask, [&](std::size_t first, std::size_t end) {
+          for (std::size_t i = first; i < end; ++i)
+            forEachTile(plan.pieces[i],
+                        [&](std::size_t tile) { visit(tile, static_cast<std::uint32_t>(i)); });
+        });
+  }
+  template <class Visit>
+  void forEachTile(const StrokePiece& piece, const Visit& visit) const
+  {
+    const double reach = static_cast<double>(std::max(piece.half0, piece.half1)) + 1.0;
+    const int x0 = column(std::min(piece.x0, piece.x1) - reach, grid_.columns());
+    const int x1 = column(std::max(piece.x0, piece.x1) + reach, grid_.columns());
+    const int y0 = column(std::min(piece.y0, piece.y1) - reach, grid_.rows());
+    const int y1 = column(std::max(piece.y0, piece.y1) + reach, grid_.rows());
+    const bool isLong = x1 > x0 && y1 > y0;
+    for (int y = y0; y <= y1; ++y)
+      for (int x = x0; x <= x1; ++x)
+        if (!isLong || meets(piece, x, y, reach)) visit(grid_.index(x, y));
+  }
+  static int column(double pixel, int count)
+  {
+    const double tile = std::floor(pixel / kTileSide);
+    return static_cast<int>(std::min(std::max(tile, 0.0), count - 1.0));
+  }
+  /// Whether the line comes near the circle around a tile.
+  static bool meets(const StrokePiece& piece, int x, int y, double reach)
+  {
+    constexpr double kSide = kTileSide, kRadius = 0.75 * kSide;
+    const double dx = piece.x1 - piece.x0, dy = piece.y1 - piece.y0;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    const double distance =
+        ((x + 0.5) * kSide - piece.x0) * dy - ((y + 0.5) * kSide - piece.y0) * dx;
+    return std::fabs(distance) <= (kRadius + reach) * length;
+  }
+
+  TileGrid grid_;
+  std::vector<std::uint32_t> first_, piece_;
+};
+
+float mixed(float old, float line, float a)
+{
+  return old + (line - old) * a;
+}
+
+std::uint8_t mixedByte(std::uint8_t old, float line, float a)
+{
+  return static_cast<std::uint8_t>(mixed(old, line, a) + 0.5f);
+}
+
+float fullByte(float channel)
+{
+  return (channel < 1.0f ? channel : 1.0f) * 255.0f;
+}
+
+std::uint32_t bitCount(std::uint32_t bits)
+{
+  std::uint32_t count = 0;
+  for (; bits != 0; bits &= bits - 1)
+    ++count;
+  return count;
+}
+
+/// Lays one group over the pixels of a frame.
+class StrokeBlend {
+ public:
+  StrokeBlend(const StrokeGroup& group, const FrameView& frame, int samples)
+      : frame_(frame),
+        opacity_(group.opacity),
+        radiance_(group.color),
+        bytes_{fullByte(group.color.x), fullByte(group.color.y), fullByte(group.color.z), 255.0f},
+        samples_(static_cast<std::uint32_t>(samples)),
+        keepsApart_(frame.background == Background::kKeepApart && frame.coverage != nullptr)
+  {
+  }
+
+  void blend(std::ptrdiff_t index, float coverage, float depth) const
+  {
+    const float a = coverage * opacity_;
+    const bool isNew = keepsApart_ ? blendSamples(index, a) : blendAll(index, a);
+    if ((a >= 0.5f || isNew) && depth < frame_.depth[index]) frame_.depth[index] = depth;
+  }
+
+ private:
+  bool blendAll(std::ptrdiff_t index, float a) const
+  {
+    mix(index, a);
+    return false;
+  }
+  void mix(std::ptrdiff_t index, float a) const
+  {
+    Rgba8& color = frame_.color[index];
+    color = {mixedByte(color.r, bytes_.x, a), mixedByte(color.g, bytes_.y, a),
+             mixedByte(color.b, bytes_.z, a), mixedByte(color.a, bytes_.w, a)};
+    if (frame_.radiance.empty()) return;
+    const RadianceView& planes = frame_.radiance;
+    planes.r[index] = mixed(planes.r[index], radiance_.x, a);
+    planes.g[index] = mixed(planes.g[index], radiance_.y, a);
+    planes.b[index] = mixed(planes.b[index], radiance_.z, a);
+  }
+  /// Whether the pixel shows something only now.
+  bool blendSamples(std::ptrdiff_t index, float a) const
+  {
+    std::uint32_t bits = frame_.coverage[index];
+    const std::uint32_t old = bitCount(bits), open = samples_ - old;
+    const auto more = static_cast<std::uint32_t>(a * static_cast<float>(open) + 0.5f);
+    if (old + more == 0) return false;
+    // Of all samples that are covered now, the line's share.
+    const float share =
+        (static_cast<float>(more) + a * static_cast<float>(old)) / static_cast<float>(old + more);
+    mix(index, share);
+    for (std::uint32_t s = 0, left = more; left > 0; ++s) {
+      if ((bits >> s & 1u) != 0) continue;
+      bits |= 1u << s;
+      --left;
+    }
+    frame_.coverage[index] = static_cast<std::uint8_t>(bits);
+    return old == 0;
+  }
+
+  const FrameView& frame_;
+  float opacity_;
+  Vec3f radiance_;
+  Vec4f bytes_;
+  std::uint32_t samples_;
+  bool keepsApart_;
+};
+
+/// The strokes of one tile, group by group.
+class TilePainter {
+ public:
+  TilePainter(const StrokePlan& plan, const FrameView& frame, int samples, TileRectangle tile)
+      : plan_(plan), frame_(frame), samples_(samples), tile_(tile)
+  {
+    thread_local const auto memory = std::make_unique<StrokeTile>();
+    memory_ = memory.get();
+  }
+
+  void paint(Span<const std::uint32_t> pieces)
+  {
+    std::size_t next = 0;
+    for (const StrokeGroup& group : plan_.groups) {
+      const std::size_t first = next;
+      while (next < pieces.size() && pieces[next] < group.endPiece)
+        ++next;
+      if (next > first) paintGroup(group, {pieces.data() + first, next - first});
+    }
+  }
+
+ private:
+  void paintGroup(const StrokeGroup& group, Span<const std::uint32_t> pieces)
+  {
+    std::fill_n(memory_->coverage, kTilePixels, 0.0f);
+    std::fill_n(memory_->depth, kTilePixels, kNoDepth);
+    int x0 = kTileSide, y0 = kTileSide, x1 = 0, y1 = 0;
+    for (const std::uint32_t piece : pieces) {
+      const TileStroke stroke = strokeInTile(plan_.pieces[piece], tile_);
+      if (stroke.x0 >= stroke.x1 || stroke.y0 >= stroke.y1) continue;
+      coverStroke(stroke, *memory_);
+      x0 = std::min(x0, stroke.x0);
+      y0 = std::min(y0, stroke.y0);
+      x1 = std::max(x1, stroke.x1);
+      y1 = std::max(y1, stroke.y1);
+    }
+    const StrokeBlend blend(group, frame_, samples_);
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x) {
+        const float coverage = memory_->coverage[y * kTileSide + x];
+        if (coverage > 0)
+          blend.blend((tile_.y0 + y) * frame_.rowStride + tile_.x0 + x, coverage,
+                      memory_->depth[y * kTileSide + x]);
+      }
+  }
+
+  const StrokePlan& plan_;
+  const FrameView& frame_;
+  int samples_;
+  TileRectangle tile_;
+  StrokeTile* memory_;
+};
+
+/// A box on the screen that grows; everything where something has no place on it.
+struct ScreenBox {
+  double x0 = 1e300, y0 = 1e300, x1 = -1e300, y1 = -1e300;
+
+  void add(double x, double y, double reach)
+  {
+    x0 = std::min(x0, x - reach);
+    y0 = std::min(y0, y - reach);
+    x1 = std::max(x1, x + reach);
+    y1 = std::max(y1, y + reach);
+  }
+  void add(const ScreenBox& other)
+  {
+    x0 = std::min(x0, other.x0);
+    y0 = std::min(y0, other.y0);
+    x1 = std::max(x1, other.x1);
+    y1 = std::max(y1, other.y1);
+  }
+};
+
+ScreenBox boxOf(const LineSet& set, const LinePlace& place, int threads)
+{
+  const std::size_t count = set.vertex.size();
+  std::vector<ScreenBox> boxes((count + kPointsPerTask - 1) / kPointsPerTask);
+  forEachStretch(threads, count, kPointsPerTask, [&](std::size_t first, std::size_t end) {
+    ScreenBox& box = boxes[first / kPointsPerTask];
+    for (std::size_t i = first; i < end; ++i) {
+      LinePoint point;
+      if (place.place(set, set.vertex[i], point))
+        box.add(point.x, point.y, strokeReach(set.style));
+      else
+        box.add({-1e300, -1e300, 1e300, 1e300});
+    }
+  });
+  ScreenBox all;
+  for (const ScreenBox& box : boxes)
+    all.add(box);
+  return all;
+}
+
+int pixelOf(double coordinate, int size)
+{
+  return static_cast<int>(std::min(std::max(coordinate, 0.0), static_cast<double>(size)));
+}
+
+}  // namespace
+
+bool hasLines(const Scene& scene)
+{
+  return std::any_of(scene.instances.begin(), scene.instances.end(),
+                     [](const Instance& instance) { return !instance.lines.empty(); });
+}
+
+TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads)
+{
+  ScreenBox box;
+  for (const Instance& instance : scene.instances)
+    for (const LineSet& set : instance.lines)
+      box.add(boxOf(set, LinePlace(scene.camera, instance.modelToWorld, width, height), threads));
+  if (box.x0 > box.x1) return {0, 0, 0, 0};
+  return {pixelOf(std::floor(box.x0), width), pixelOf(std::floor(box.y0), height),
+          pixelOf(std::ceil(box.x1), width), pixelOf(std::ceil(box.y1), height)};
+}
+
+void drawStrokes(const Scene& scene, const FrameView& frame, int threads)
+{
+  const StrokePlan plan = findStrokePieces(scene, frame, threads);
+  if (plan.pieces.empty()) return;
+  const TileGrid grid = {frame.width, frame.height};
+  StrokeBins bins(plan, grid, threads);
+  parallelFor(threads, grid.count(), [&](std::size_t tile) {
+    const Span<const std::uint32_t> pieces = bins.sorted(tile);
+    if (pieces.empty()) return;
+    TilePainter(plan, frame, scene.samples, grid.rectangle(tile)).paint(pieces);
+  });
+}
+
+}  // namespace limn

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Binning/TileGrid.h"
+#include "Rendering/FrameView.h"
+#include "Rendering/Scene.h"
+
+namespace limn {
+
+/// Whether any instance has lines.
+bool hasLines(const Scene& scene);
+
+/// Pixels outside of which no stroke of the scene has any; empty if x0 >= x1.
+TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads);
+
+/// Draws the scene's lines over its finished surfaces, which `frame` holds, as Instance::lines
+/// says: the bytes of Reference/ReferenceStrokes. With Background::kBlend colours become
+/// C + (line - C) a with a the coverage times the opacity, and the radiance likewise; with
+/// kKeepApart, and a plane of coverage, those of the covered samples, while round(a n) of the n
+/// uncovered samples become covered, by the line alone. Depths become those of the nearest line
+/// where a >= 1/2, or the pixel was not covered before, and it is nearer.
+void drawStrokes(const Scene& scene, const FrameView& frame, int threads);
+
+}  // namespace limn

@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Lines/StrokePieces.h"
+
+#include "Rendering/Lines/LinePlace.h"
+#include "Rendering/Base/Executor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+/// Shorter segments, in pixels, show nothing.
+constexpr double kShortest = 1e-6;
+
+enum class Seen : std::uint8_t { kOutside, kHidden, kVisible };
+
+/// A segment before the near plane, of which the shares from `from` to `to` may be in the picture.
+struct PathSegment {
+  LinePoint a, b;
+  double from, to;
+  double start, length;  ///< along the chain, in pixels
+  bool isOuter;
+  bool continues;  ///< begins where the one before it in the chain ends, both unclipped
+  bool endsUnclipped;
+  std::size_t firstSample, sampleCount;
+
+  double at(double share, double LinePoint::*value) const
+  {
+    return a.*value + share * (b.*value - a.*value);
+  }
+};
+
+/// The chain's part of a set, cut into pieces. Kept from chain to chain for its memory.
+class ChainCutter {
+ public:
+  ChainCutter(const LineSet& set, const LinePlace& place, const FrameView& frame)
+      : set_(set), style_(set.style), place_(place), frame_(frame), margin_(strokeReach(set.style))
+  {
+  }
+
+  void cut(std::size_t chain, std::vector<StrokePiece>& pieces)
+  {
+    first_ = set_.first[chain];
+    end_ = set_.first[chain + 1];
+    isClosed_ = end_ - first_ > 2 && set_.vertex[first_] == set_.vertex[end_ - 1];
+    segments_.clear();
+    seen_.clear();
+    placeSegments();
+    smooth();
+    for (std::size_t i = 0; i < segments_.size(); ++i)
+      addRuns(i, pieces);
+  }
+
+ private:
+  void placeSegments()
+  {
+    double start = 0;
+    bool isUnbroken = false;  // nothing was left out since the last segment
+    for (std::size_t i = first_; i + 1 < end_; ++i) {
+      const std::uint32_t p = set_.vertex[i], q = set_.vertex[i + 1];
+      PathSegment segment;
+      bool clipsStart = false, clipsEnd = false;
+      if (!place_.place(set_, p, q, segment.a, segment.b, clipsStart, clipsEnd)) {
+        isUnbroken = false;
+        continue;
+      }
+      const double dx = segment.b.x - segment.a.x, dy = segment.b.y - segment.a.y;
+      segment.length = std::sqrt(dx * dx + dy * dy);
+      if (segment.length <= kShortest) continue;
+      segment.start = start;
+      start += segment.length;
+      if (!clipToPicture(segment)) {
+        isUnbroken = false;
+        continue;
+      }
+      const std::uint8_t flags = set_.flags.empty() ? std::uint8_t{0} : set_.flags[i];
+      segment.isOuter = (flags & kOuterLine) != 0;
+      segment.continues = isUnbroken && !clipsStart && segment.from == 0;
+      segment.endsUnclipped = !clipsEnd && segment.to == 1;
+      if (segments_.empty())
+        startsUnclipped_ = !clipsStart && segment.from == 0 && start == segment.length;
+      addSamples(segment, (flags & kConcealedLine) != 0);
+      segments_.push_back(segment);
+      isUnbroken = segment.endsUnclipped;
+    }
+    length_ = start;
+    endsUnclipped_ = isUnbroken;
+    if (isClosed_ && !segments_.empty() && startsUnclipped_ && endsUnclipped_)
+      segments_[0].continues = true;
+  }
+
+  /// Liang and Barsky's. False if nothing is left.
+  bool clipToPicture(PathSegment& segment) const
+  {
+    segment.from = 0;
+    segment.to = 1;
+    const double limitX = frame_.width + margin_, limitY = frame_.height + margin_;
+    return clipSide(segment, segment.a.x + margin_, segment.b.x + margin_) &&
+           clipSide(segment, limitX - segment.a.x, limitX - segment.b.x) &&
+           clipSide(segment, segment.a.y + margin_, segment.b.y + margin_) &&
+           clipSide(segment, limitY - segment.a.y, limitY - segment.b.y);
+  }
+  /// Keeps the part where the distance to a side, linear from a to b, is not negative.
+  static bool clipSide(PathSegment& segment, double a, double b)
+  {
+    if (a < 0 && b < 0) return false;
+    if (a < 0) segment.from = std::max(segment.from, a / (a - b));
+    if (b < 0) segment.to = std::min(segment.to, a / (a - b));
+    return segment.from < segment.to;
+  }
+
+  void addSamples(PathSegment& segment, bool isConcealed)
+  {
+    segment.firstSample = seen_.size();
+    segment.sampleCount = static_cast<std::size_t>(
+        std::max(1.0, std::ceil(segment.length * (segment.to - segment.from))));
+    for (std::size_t i = 0; i < segment.sampleCount; ++i) {
+      const double share = shareAt(segment, static_cast<double>(i) + 0.5);
+      const double depth = segment.at(share, &LinePoint::depth);
+      if (depth > 1)
+        seen_.push_back(Seen::kOutside);
+      else if (isConcealed)
+        seen_.push_back(Seen::kHidden);
+      else
+        seen_.push_back(isVisible(segment, share) ? Seen::kVisible : Seen::kHidden);
+    }
+  }
+  static double shareAt(const PathSegment& segment, double sample)
+  {
+    return segment.from +
+           (segment.to - segment.from) * (sample / static_cast<double>(segment.sampleCount));
+  }
+
+  bool isVisible(const PathSegment& segment, double share) const
+  {
+    const double x = segment.at(share, &LinePoint::x), y = segment.at(share, &LinePoint::y);
+    const double tested = segment.at(share, &LinePoint::tested);
+    const int column = inside(x, frame_.width), row = inside(y, frame_.height);
+    // The pixel itself first: it mostly settles it.
+    constexpr int kOrder[9][2] = {{0, 0},   {-1, 0}, {1, 0},  {0, -1}, {0, 1},
+                                  {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    for (const auto& [dx, dy] : kOrder) {
+      const int c = std::min(std::max(column + dx, 0), frame_.width - 1);
+      const int r = std::min(std::max(row + dy, 0), frame_.height - 1);
+      const float* const depth = frame_.depth + r * frame_.rowStride + c;
+      const double slopeX = slopeAt(depth, 1, c, frame_.width);
+      const double slopeY = slopeAt(depth, frame_.rowStride, r, frame_.height);
+      const double carried = *depth + (slopeX * (x - (c + 0.5)) + slopeY * (y - (r + 0.5)));
+      const double bias = kSlopePixels * (std::fabs(slopeX) + std::fabs(slopeY)) + kDepthBias;
+      if (carried + bias >= tested) return true;
+    }
+    return false;
+  }
+  /// How the depth grows from pixel to pixel. Of the two sides the one that slopes less: the other
+  /// may be the edge of something else.
+  static double slopeAt(const float* depth, std::ptrdiff_t step, int place, int size)
+  {
+    const double here = *depth;
+    const double before = place > 0 ? here - depth[-step] : HUGE_VAL;
+    const double after = place + 1 < size ? depth[step] - here : HUGE_VAL;
+    const double less = std::fabs(before) < std::fabs(after) ? before : after;
+    return less < HUGE_VAL ? less : 0.0;
+  }
+  static int inside(double coordinate, int size)
+  {
+    return static_cast<int>(std::min(std::max(std::floor(coordinate), 0.0), size - 1.0));
+  }
+
+  /// What three of five samples say, so that a single one changes nothing.
+  void smooth()
+  {
+    raw_ = seen_;
+    const auto last = static_cast<std::ptrdiff_t>(seen_.size()) - 1;
+    for (std::ptrdiff_t i = 0; i <= last; ++i) {
+      if (raw_[static_cast<std::size_t>(i)] == Seen::kOutside) continue;
+      int visible = 0;
+      for (std::ptrdiff_t k = i - 2; k <= i + 2; ++k) {
+        const std::ptrdiff_t near = std::min(std::max<std::ptrdiff_t>(k, 0), last);
+        visible += raw_[static_cast<std::size_t>(near)] == Seen::kVisible ? 1 : 0;
+      }
+      seen_[static_cast<std::size_t>(i)] = visible >= 3 ? Seen::kVisible : Seen::kHidden;
+    }
+  }
+
+  void addRuns(std::size_t number, std::vector<StrokePiece>& pieces)
+  {
+    const PathSegment& segment = segments_[number];
+    std::size_t i = 0;
+    while (i < segment.sampleCount) {
+      const Seen seen = seen_[segment.firstSample + i];
+      std::size_t next = i + 1;
+      while (next < segment.sampleCount && seen_[segment.firstSample + next] == seen)
+        ++next;
+      if (seen == Seen::kVisible || (seen == Seen::kHidden && style_.hidden != HiddenLines::kOff)) {
+        const double s0 = segment.start + shareAt(segment, static_cast<double>(i)) * segment.length;
+        const double s1 =
+            segment.start + shareAt(segment, static_cast<double>(next)) * segment.length;
+        const bool joins0 = i == 0 && joinsBefore(number, seen);
+        const bool joins1 = next == segment.sampleCount && joinsAfter(number, seen);
+        taper(segment, {s0, s1, joins0, joins1}, seen, pieces);
+      }
+      i = next;
+    }
+  }
+  Seen firstSeen(const PathSegment& segment) const { return seen_[segment.firstSample]; }
+  Seen lastSeen(const PathSegment& segment) const
+  {
+    return seen_[segment.firstSample + segment.sampleCount - 1];
+  }
+  bool joinsBefore(std::size_t number, Seen seen) const
+  {
+    if (segments_[number].continues)
+      return lastSeen(segments_[number > 0 ? number - 1 : segments_.size() - 1]) == seen;
+    return number == 0 && startsUnclipped_ && style_.cap == LineCap::kRound;
+  }
+  bool joinsAfter(std::size_t number, Seen seen) const
+  {
+    const bool isLast = number + 1 == segments_.size();
+    const PathSegment& after = segments_[isLast ? 0 : number + 1];
+    if ((!isLast || isClosed_) && after.continues) return firstSeen(after) == seen;
+    return isLast && endsUnclipped_ && style_.cap == LineCap::kRound;
+  }
+
+  /// A stretch of a segment, by its place along the chain.
+  struct Stretch {
+    double s0, s1;
+    bool joins0, joins1;
+  };
+
+  /// Cuts where the width does not grow evenly.
+  void taper(const PathSegment& segment, Stretch stretch, Seen seen,
+             std::vector<StrokePiece>& pieces) const
+  {
+    if (isTapered()) {
+      const auto length = static_cast<double>(style_.taper);
+      double knots[3] = {length, length_ * 0.5, length_ - length};
+      std::sort(knots, knots + 3);
+      for (const double knot : knots) {
+        if (!(knot > stretch.s0 && knot < stretch.s1)) continue;
+        dash(segment, {stretch.s0, knot, stretch.joins0, true}, seen, pieces);
+        stretch.s0 = knot;
+        stretch.joins0 = true;
+      }
+    }
+    dash(segment, stretch, seen, pieces);
+  }
+  bool isTapered() const { return style_.taper > 0 && !isClosed_; }
+
+  void dash(const PathSegment& segment, Stretch stretch, Seen seen,
+            std::vector<StrokePiece>& pieces) const
+  {
+    double on = style_.dash, off = style_.gap;
+    if (seen == Seen::kHidden && style_.hidden == HiddenLines::kDashed && style_.dash == 0) {
+      on = kHiddenDash * static_cast<double>(style_.width) + 2.0;
+      off = kHiddenGap * static_cast<double>(style_.width) + 2.0;
+    }
+    if (on == 0) {
+      add(segment, stretch, seen, pieces);
+      return;
+    }
+    const double period = on + off;
+    for (double k = std::floor(stretch.s0 / period); k * period < stretch.s1; k += 1) {
+      const double begin = k * period, end = begin + on;
+      Stretch part = stretch;
+      if (begin > stretch.s0) {
+        part.s0 = begin;
+        part.joins0 = false;
+      }
+      if (end < stretch.s1) {
+        part.s1 = end;
+        part.joins1 = false;
+      }
+      if (part.s0 < part.s1) add(segment, part, seen, pieces);
+    }
+  }
+
+  void add(const PathSegment& segment, const Stretch& stretch, Seen seen,
+           std::vector<StrokePiece>& pieces) const
+  {
+    const double t0 = (stretch.s0 - segment.start) / segment.length;
+    const double t1 = (stretch.s1 - segment.start) / segment.length;
+    const bool isHidden = seen == Seen::kHidden;
+    StrokePiece piece;
+    piece.x0 = segment.at(t0, &LinePoint::x);
+    piece.y0 = segment.at(t0, &LinePoint::y);
+    piece.x1 = segment.at(t1, &LinePoint::x);
+    piece.y1 = segment.at(t1, &LinePoint::y);
+    piece.half0 = halfWidth(segment, stretch.s0, isHidden);
+    piece.half1 = halfWidth(segment, stretch.s1, isHidden);
+    piece.depth0 = isHidden ? kNoDepth : static_cast<float>(segment.at(t0, &LinePoint::depth));
+    piece.depth1 = isHidden ? kNoDepth : static_cast<float>(segment.at(t1, &LinePoint::depth));
+    piece.round0 = stretch.joins0;
+    piece.round1 = stretch.joins1;
+    pieces.push_back(piece);
+  }
+  float halfWidth(const PathSegment& segment, double s, bool isHidden) const
+  {
+    double half = 0.5 * static_cast<double>(style_.width);
+    if (segment.isOuter) half *= static_cast<double>(style_.outerFactor);
+    if (isHidden) half *= static_cast<double>(kHiddenWidth);
+    if (isTapered()) {
+      const double toEnd = std::max(std::min(s, length_ - s), 0.0);
+      half *= std::min(toEnd / static_cast<double>(style_.taper), 1.0);
+    }
+    return static_cast<float>(half);
+  }
+
+  const LineSet& set_;
+  const LineStyle& style_;
+  const LinePlace& place_;
+  const FrameView& frame_;
+  double margin_;
+  std::size_t first_ = 0, end_ = 0;
+  bool isClosed_ = false, startsUnclipped_ = false, endsUnclipped_ = false;
+  double length_ = 0;  ///< of the chain
+  std::vector<PathSegment> segments_;
+  std::vector<Seen> seen_, raw_;
+};
+
+/// Chains that one thread cuts at a time.
+constexpr std::size_t kChainsPerTask = 64;
+
+void addSet(const LineSet& set, const LinePlace& place, const FrameView& frame, int threads,
+            std::vector<StrokePiece>& pieces)
+{
+  const std::size_t chains = set.chainCount();
+  const std::size_t tasks = (chains + kChainsPerTask - 1) / kChainsPerTask;
+  std::vector<std::vector<StrokePiece>> found(tasks);
+  parallelFor(threads, tasks, [&](std::size_t task) {
+    ChainCutter cutter(set, place, frame);
+    const std::size_t end = std::min(chains, (task + 1) * kChainsPerTask);
+    for (std::size_t chain = task * kChainsPerTask; chain < end; ++chain)
+      cutter.cut(chain, found[task]);
+  });
+  for (const std::vector<StrokePiece>& some : found)
+    pieces.insert(pieces.end(), some.begin(), some.end());
+}
+
+}  // namespace
+
+StrokePlan findStrokePieces(const Scene& scene, const FrameView& frame, int threads)
+{
+  StrokePlan plan;
+  for (const Instance& instance : scene.instances) {
+    const LineStyle* before = nullptr;
+    for (const LineSet& set : instance.lines) {
+      const LinePlace place(scene.camera, instance.modelToWorld, frame.width, frame.height);
+      if (before == nullptr || !(*before == set.style))
+        plan.groups.push_back({set.style.color, set.style.opacity, plan.pieces.size(), 0});
+      before = &set.style;
+      addSet(set, place, frame, threads, plan.pieces);
+      plan.groups.back().endPiece = plan.pieces.size();
+    }
+  }
+  return plan;
+}
+
+}  // namespace limn

@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Compiled once per instruction set by TileStroke.cpp.
+#include "Rendering/Base/Lanes-inl.h"
+#include "Rendering/Lines/TileStroke.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace limn::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+HWY_INLINE V lesser(V a, V b)
+{
+  return hn::IfThenElse(hn::Lt(b, a), b, a);
+}
+HWY_INLINE V greater(V a, V b)
+{
+  return hn::IfThenElse(hn::Lt(a, b), b, a);
+}
+HWY_INLINE V inUnitRange(V a)
+{
+  return lesser(positive(a), set(1.0f));
+}
+
+/// The share of a pixel that lies before a straight line at signed distance d from its centre.
+HWY_INLINE V shareBefore(const TileStroke& stroke, V d)
+{
+  const V y = hn::Abs(d);
+  const V rest = positive(hn::Sub(set(stroke.outer), y));
+  const V far = hn::Sub(set(1.0f), hn::Mul(hn::Mul(rest, rest), set(stroke.quadratic)));
+  const V near = hn::Add(set(0.5f), hn::Mul(y, set(stroke.linear)));
+  const V share = hn::IfThenElse(hn::Le(y, set(stroke.inner)), near, far);
+  return hn::IfThenElse(hn::Lt(d, hn::Zero(D())), hn::Sub(set(1.0f), share), share);
+}
+
+struct StrokeColumns {
+  int first, end;
+};
+
+/// Of a row those that the band may meet.
+HWY_INLINE StrokeColumns columnsOf(const TileStroke& stroke, float y)
+{
+  constexpr float kNearlyLevel = 0.05f;
+  const float normal = std::fabs(stroke.normalX);
+  if (normal < kNearlyLevel) return {stroke.x0, stroke.x1};
+  const auto bounded = [](float value) {
+    constexpr float kSide = kTileSide;
+    return value > 0.0f ? (value < kSide ? value : kSide) : 0.0f;
+  };
+  const float centre = -(stroke.distance + y * stroke.normalY) / stroke.normalX;
+  const float radius = stroke.reach / normal + 1.0f;
+  return {std::max(stroke.x0, static_cast<int>(bounded(centre - radius))),
+          std::min(stroke.x1, static_cast<int>(bounded(centre + radius + 1.0f)))};
+}
+
+void coverStrokeKernel(const TileStroke& stroke, StrokeTile& tile)
+{
+  const D lanes;
+  const auto step = static_cast<int>(hn::Lanes(lanes));
+  const V half = set(0.5f), iota = hn::Iota(lanes, 0.5f);
+  for (int row = stroke.y0; row < stroke.y1; ++row) {
+    const StrokeColumns columns = columnsOf(stroke, static_cast<float>(row) + 0.5f);
+    const V y = set(static_cast<float>(row) + 0.5f);
+    float* const coverage = tile.coverage + row * kTileSide;
+    float* const depth = tile.depth + row * kTileSide;
+    for (int column = columns.first / step * step; column < columns.end; column += step) {
+      const V x = hn::Add(set(static_cast<float>(column)), iota);
+      const V d = hn::Add(hn::Add(set(stroke.distance), hn::Mul(x, set(stroke.normalX))),
+                          hn::Mul(y, set(stroke.normalY)));
+      const V s = hn::Add(hn::Add(set(stroke.along), hn::Mul(x, set(stroke.alongX))),
+                          hn::Mul(y, set(stroke.alongY)));
+      const V before = hn::Mul(positive(hn::Neg(s)), set(stroke.round0));
+      const V after = hn::Mul(positive(hn::Sub(s, set(stroke.length))), set(stroke.round1));
+      const V beyond = hn::Add(before, after);
+      const V distance = hn::Sqrt(hn::Add(hn::Mul(d, d), hn::Mul(beyond, beyond)));
+      const V t = inUnitRange(hn::Mul(s, set(stroke.inverseLength)));
+      const V width = hn::Add(set(stroke.half), hn::Mul(t, set(stroke.halfGrowth)));
+      const V across = hn::Sub(shareBefore(stroke, hn::Add(distance, width)),
+                               shareBefore(stroke, hn::Sub(distance, width)));
+      const V along = inUnitRange(hn::Sub(lesser(hn::Add(s, half), set(stroke.endLimit)),
+                                          greater(hn::Sub(s, half), set(stroke.startLimit))));
+      const V covered = hn::Mul(across, along);
+      const V old = hn::Load(lanes, coverage + column);
+      hn::Store(greater(old, covered), lanes, coverage + column);
+      const V z = hn::Add(set(stroke.nearest), hn::Mul(t, set(stroke.depthGrowth)));
+      const V oldDepth = hn::Load(lanes, depth + column);
+      hn::Store(hn::IfThenElse(isPositive(covered), lesser(oldDepth, z), oldDepth), lanes,
+                depth + column);
+    }
+  }
+}
+
+}  // namespace limn::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();

@@ -1,0 +1,510 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Reference/ReferenceStrokes.h"
+
+#include "Rendering/Base/Mat4.h"
+#include "Rendering/Vertex/ScreenVertex.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <vector>
+
+namespace limn::reference {
+namespace {
+
+/// A point in clip space, and how far towards the eye it is tested.
+struct Clip {
+  double x, y, z, w, slack;
+};
+
+double between(double a, double b, double t)
+{
+  return a + t * (b - a);
+}
+
+Clip between(const Clip& a, const Clip& b, double t)
+{
+  return {between(a.x, b.x, t), between(a.y, b.y, t), between(a.z, b.z, t), between(a.w, b.w, t),
+          between(a.slack, b.slack, t)};
+}
+
+/// On the screen, with its own depth and that for the test.
+struct Dot {
+  double x, y, depth, tested;
+};
+
+Dot between(const Dot& a, const Dot& b, double t)
+{
+  return {between(a.x, b.x, t), between(a.y, b.y, t), between(a.depth, b.depth, t),
+          between(a.tested, b.tested, t)};
+}
+
+enum class Seen { kNo, kHidden, kYes };
+
+/// A segment of a chain that is before the eye.
+struct Segment {
+  Dot a, b;
+  double from = 0, to = 1;  ///< shares inside the picture and its margin
+  double start, length;     ///< along the chain
+  std::uint8_t flags;
+  bool startsWhole, endsWhole;  ///< nothing was cut off there
+  bool follows;                 ///< the segment before it ends where this one starts
+  std::vector<Seen> seen;       ///< sample by sample
+
+  double share(std::size_t sample, double offset) const
+  {
+    return from + (to - from) *
+                      ((static_cast<double>(sample) + offset) / static_cast<double>(seen.size()));
+  }
+};
+
+/// What is drawn of a segment: pixels, half widths, depths.
+struct Piece {
+  Dot a, b;
+  float halfA, halfB;
+  float depthA, depthB;
+  bool roundA, roundB;
+};
+
+constexpr float kNoDepth = 2;
+constexpr double kShortest = 1e-6;
+constexpr int kBlock = 64;  ///< lines are told by their distance to the corner of such blocks
+
+class Lines {
+ public:
+  Lines(const Scene& scene, const FrameView& frame) : scene_(scene), frame_(frame)
+  {
+    const auto pixels =
+        static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
+    old_.resize(pixels);
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x)
+        old_[pixel(x, y)] = frame.depth[y * frame.rowStride + x];
+    coverage_.resize(pixels);
+    depth_.resize(pixels);
+  }
+
+  void draw()
+  {
+    for (const Instance& instance : scene_.instances)
+      for (std::size_t i = 0; i < instance.lines.size(); ++i) {
+        const LineSet& set = instance.lines[i];
+        // Sets of equal style are one drawing.
+        if (i == 0 || !(instance.lines[i - 1].style == set.style)) begin();
+        cover(instance, set);
+        if (i + 1 == instance.lines.size() || !(instance.lines[i + 1].style == set.style))
+          blend(set.style);
+      }
+  }
+
+ private:
+  std::size_t pixel(int x, int y) const
+  {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
+           static_cast<std::size_t>(x);
+  }
+
+  void begin()
+  {
+    std::fill(coverage_.begin(), coverage_.end(), 0.0f);
+    std::fill(depth_.begin(), depth_.end(), kNoDepth);
+  }
+
+  void cover(const Instance& instance, const LineSet& set)
+  {
+    toClip_ = scene_.camera.viewToClip * (scene_.camera.worldToView * instance.modelToWorld);
+    for (std::size_t chain = 0; chain < set.chainCount(); ++chain)
+      coverChain(set, set.first[chain], set.first[chain + 1]);
+  }
+
+  Clip clip(const LineSet& set, std::uint32_t vertex) const
+  {
+    const Vec3d p = set.points.position(vertex);
+    const auto row = [&](int r) {
+      return (toClip_.m[r][0] * p.x + toClip_.m[r][1] * p.y) +
+             (toClip_.m[r][2] * p.z + toClip_.m[r][3]);
+    };
+    return {row(0), row(1), row(2), row(3),
+            set.slack.empty() ? 0.0 : static_cast<double>(set.slack[vertex])};
+  }
+  Dot dot(const Clip& c) const
+  {
+    const double inverse = 1.0 / c.w;
+    const double halfWidth = frame_.width / 2.0, halfHeight = frame_.height / 2.0;
+    // Towards the eye: view z grows by the slack.
+    const double z = c.z + scene_.camera.viewToClip.m[2][2] * c.slack;
+    const double w = c.w + scene_.camera.viewToClip.m[3][2] * c.slack;
+    const bool isBeforeAll = z + w < 0 || w < kSmallestW;
+    return {c.x * inverse * halfWidth + halfWidth, c.y * inverse * halfHeight + halfHeight,
+            c.z * inverse * 0.5 + 0.5, isBeforeAll ? 0.0 : z / w * 0.5 + 0.5};
+  }
+
+  /// Without its place along the chain and its samples.
+  std::optional<Segment> segment(const LineSet& set, std::uint32_t p, std::uint32_t q) const
+  {
+    const Clip a = clip(set, p), b = clip(set, q);
+    for (const double value : {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w})
+      if (!std::isfinite(value)) return std::nullopt;
+    const double nearA = a.z + a.w, nearB = b.z + b.w;
+    if (nearA < 0 && nearB < 0) return std::nullopt;
+    const double t = nearA / (nearA - nearB);
+    const Clip from = nearA < 0 ? between(a, b, t) : a;
+    const Clip to = nearB < 0 ? between(a, b, t) : b;
+    if (from.w < kSmallestW || to.w < kSmallestW) return std::nullopt;
+    Segment result = {};
+    result.a = dot(from);
+    result.b = dot(to);
+    result.from = 0;
+    result.to = 1;
+    result.startsWhole = nearA >= 0;
+    result.endsWhole = nearB >= 0;
+    return result;
+  }
+
+  /// The shares of the segment in the picture and a margin about it. False if there are none.
+  bool clipToPicture(const LineSet& set, Segment& s) const
+  {
+    const double factor = std::max(1.0, static_cast<double>(set.style.outerFactor));
+    const double margin = 0.5 * static_cast<double>(set.style.width) * factor + 1.0;
+    const double sides[4][2] = {{s.a.x + margin, s.b.x + margin},
+                                {frame_.width + margin - s.a.x, frame_.width + margin - s.b.x},
+                                {s.a.y + margin, s.b.y + margin},
+                                {frame_.height + margin - s.a.y, frame_.height + margin - s.b.y}};
+    for (const auto& [a, b] : sides) {
+      if (a < 0 && b < 0) return false;
+      if (a < 0) s.from = std::max(s.from, a / (a - b));
+      if (b < 0) s.to = std::min(s.to, a / (a - b));
+      if (!(s.from < s.to)) return false;
+    }
+    s.startsWhole = s.startsWhole && s.from == 0;
+    s.endsWhole = s.endsWhole && s.to == 1;
+    return true;
+  }
+
+  /// How depths grow from a pixel to one of its neighbours; nullopt outside of the picture.
+  std::optional<double> growth(int x, int y, int nextX, int nextY) const
+  {
+    if (nextX < 0 || nextY < 0 || nextX >= frame_.width || nextY >= frame_.height)
+      return std::nullopt;
+    return static_cast<double>(old_[pixel(nextX, nextY)]) - static_cast<double>(old_[pixel(x, y)]);
+  }
+  /// The gentler one of the slopes to the two sides.
+  static double slope(std::optional<double> toBefore, std::optional<double> toAfter)
+  {
+    if (toBefore && toAfter)
+      return std::fabs(*toBefore) < std::fabs(*toAfter) ? -*toBefore : *toAfter;
+    return toBefore ? -*toBefore : toAfter ? *toAfter : 0.0;
+  }
+
+  bool isBefore(const Dot& p) const
+  {
+    const int column = static_cast<int>(std::clamp(std::floor(p.x), 0.0, frame_.width - 1.0));
+    const int row = static_cast<int>(std::clamp(std::floor(p.y), 0.0, frame_.height - 1.0));
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int x = std::clamp(column + dx, 0, frame_.width - 1);
+        const int y = std::clamp(row + dy, 0, frame_.height - 1);
+        const double slopeX = slope(growth(x, y, x - 1, y), growth(x, y, x + 1, y));
+        const double slopeY = slope(growth(x, y, x, y - 1), growth(x, y, x, y + 1));
+        const double surface = static_cast<double>(old_[pixel(x, y)]) +
+                               (slopeX * (p.x - (x + 0.5)) + slopeY * (p.y - (y + 0.5)));
+        const double bias = kSlopePixels * (std::fabs(slopeX) + std::fabs(slopeY)) + kDepthBias;
+        if (surface + bias >= p.tested) return true;
+      }
+    return false;
+  }
+
+  void look(Segment& s) const
+  {
+    s.seen.resize(static_cast<std::size_t>(std::max(1.0, std::ceil(s.length * (s.to - s.from)))));
+    for (std::size_t i = 0; i < s.seen.size(); ++i) {
+      const Dot p = between(s.a, s.b, s.share(i, 0.5));
+      const bool isVisible = (s.flags & kConcealedLine) == 0 && isBefore(p);
+      s.seen[i] = p.depth > 1 ? Seen::kNo : isVisible ? Seen::kYes : Seen::kHidden;
+    }
+  }
+
+  /// Each sample becomes what most of the five about it are.
+  static void smooth(std::vector<Segment>& segments)
+  {
+    std::vector<Seen*> samples;
+    for (Segment& s : segments)
+      for (Seen& seen : s.seen)
+        samples.push_back(&seen);
+    std::vector<Seen> old;
+    for (const Seen* seen : samples)
+      old.push_back(*seen);
+    const int last = static_cast<int>(old.size()) - 1;
+    for (int i = 0; i <= last; ++i) {
+      int visible = 0;
+      for (int k = i - 2; k <= i + 2; ++k)
+        visible += old[static_cast<std::size_t>(std::clamp(k, 0, last))] == Seen::kYes ? 1 : 0;
+      Seen& seen = *samples[static_cast<std::size_t>(i)];
+      if (seen != Seen::kNo) seen = visible > 2 ? Seen::kYes : Seen::kHidden;
+    }
+  }
+
+  void coverChain(const LineSet& set, std::uint32_t first, std::uint32_t end)
+  {
+    const bool isClosed = end - first > 2 && set.vertex[first] == set.vertex[end - 1];
+    std::vector<Segment> segments;
+    double length = 0;
+    bool isBroken = true, startsAtTheStart = false;
+    for (std::uint32_t i = first; i + 1 < end; ++i) {
+      auto s = segment(set, set.vertex[i], set.vertex[i + 1]);
+      if (!s) {
+        isBroken = true;
+        continue;
+      }
+      const double dx = s->b.x - s->a.x, dy = s->b.y - s->a.y;
+      s->length = std::sqrt(dx * dx + dy * dy);
+      if (s->length <= kShortest) continue;
+      s->start = length;
+      length += s->length;
+      if (!clipToPicture(set, *s)) {
+        isBroken = true;
+        continue;
+      }
+      s->flags = set.flags.empty() ? std::uint8_t{0} : set.flags[i];
+      s->follows = !isBroken && s->startsWhole;
+      look(*s);
+      if (segments.empty()) startsAtTheStart = s->startsWhole && s->start == 0;
+      isBroken = !s->endsWhole;
+      segments.push_back(*s);
+    }
+    if (segments.empty()) return;
+    smooth(segments);
+    const bool endsAtTheEnd = !isBroken;
+    if (isClosed && startsAtTheStart && endsAtTheEnd) segments.front().follows = true;
+    const bool hasRoundEnds = set.style.cap == LineCap::kRound;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const Segment& s = segments[i];
+      const Segment& before = segments[(i + segments.size() - 1) % segments.size()];
+      const Segment& after = segments[(i + 1) % segments.size()];
+      const bool isLast = i + 1 == segments.size();
+      const bool isFollowed = after.follows && (!isLast || isClosed);
+      for (std::size_t k = 0; k < s.seen.size();) {
+        std::size_t next = k;
+        while (next < s.seen.size() && s.seen[next] == s.seen[k])
+          ++next;
+        bool joinsA = false, joinsB = false;
+        if (k == 0)
+          joinsA = s.follows ? before.seen.back() == s.seen[k]
+                             : i == 0 && startsAtTheStart && hasRoundEnds;
+        if (next == s.seen.size())
+          joinsB =
+              isFollowed ? after.seen.front() == s.seen[k] : isLast && endsAtTheEnd && hasRoundEnds;
+        const bool isDrawn = s.seen[k] == Seen::kYes ||
+                             (s.seen[k] == Seen::kHidden && set.style.hidden != HiddenLines::kOff);
+        const Stretch stretch = {s.start + s.share(k, 0) * s.length,
+                                 s.start + s.share(next, 0) * s.length, joinsA, joinsB};
+        if (isDrawn)
+          coverTapered({set.style, s, s.seen[k] == Seen::kHidden, isClosed, length}, stretch);
+        k = next;
+      }
+    }
+  }
+
+  struct Stretch {
+    double a, b;  ///< along the chain
+    bool joinsA, joinsB;
+  };
+  /// What a stretch is of.
+  struct Line {
+    const LineStyle& style;
+    const Segment& segment;
+    bool isHidden, isClosed;
+    double length;  ///< of the chain
+
+    bool isTapered() const { return style.taper > 0 && !isClosed; }
+  };
+
+  void coverTapered(const Line& line, Stretch stretch)
+  {
+    if (line.isTapered()) {
+      const auto taper = static_cast<double>(line.style.taper);
+      std::vector<double> knots = {taper, line.length * 0.5, line.length - taper};
+      std::sort(knots.begin(), knots.end());
+      for (const double knot : knots)
+        if (stretch.a < knot && knot < stretch.b) {
+          coverDashes(line, {stretch.a, knot, stretch.joinsA, true});
+          stretch = {knot, stretch.b, true, stretch.joinsB};
+        }
+    }
+    coverDashes(line, stretch);
+  }
+
+  void coverDashes(const Line& line, const Stretch& stretch)
+  {
+    const LineStyle& style = line.style;
+    double dash = style.dash, gap = style.gap;
+    if (line.isHidden && style.hidden == HiddenLines::kDashed && style.dash == 0) {
+      dash = kHiddenDash * static_cast<double>(style.width) + 2.0;
+      gap = kHiddenGap * static_cast<double>(style.width) + 2.0;
+    }
+    if (dash == 0) {
+      coverStretch(line, stretch);
+      return;
+    }
+    for (double k = std::floor(stretch.a / (dash + gap)); k * (dash + gap) < stretch.b; k += 1) {
+      const double begin = k * (dash + gap), end = begin + dash;
+      const Stretch part = {std::max(begin, stretch.a), std::min(end, stretch.b),
+                            begin <= stretch.a && stretch.joinsA,
+                            end >= stretch.b && stretch.joinsB};
+      if (part.a < part.b) coverStretch(line, part);
+    }
+  }
+
+  static float halfWidth(const Line& line, double s)
+  {
+    double half = 0.5 * static_cast<double>(line.style.width);
+    if ((line.segment.flags & kOuterLine) != 0) half *= static_cast<double>(line.style.outerFactor);
+    if (line.isHidden) half *= static_cast<double>(kHiddenWidth);
+    if (line.isTapered())
+      half *= std::min(
+          std::max(std::min(s, line.length - s), 0.0) / static_cast<double>(line.style.taper), 1.0);
+    return static_cast<float>(half);
+  }
+
+  void coverStretch(const Line& line, const Stretch& stretch)
+  {
+    const Segment& s = line.segment;
+    Piece piece;
+    piece.a = between(s.a, s.b, (stretch.a - s.start) / s.length);
+    piece.b = between(s.a, s.b, (stretch.b - s.start) / s.length);
+    piece.halfA = halfWidth(line, stretch.a);
+    piece.halfB = halfWidth(line, stretch.b);
+    piece.depthA = line.isHidden ? kNoDepth : static_cast<float>(piece.a.depth);
+    piece.depthB = line.isHidden ? kNoDepth : static_cast<float>(piece.b.depth);
+    piece.roundA = stretch.joinsA;
+    piece.roundB = stretch.joinsB;
+    const double reach = static_cast<double>(std::max(piece.halfA, piece.halfB)) + 1.0;
+    const auto pixelOf = [](double v, int size) {
+      return static_cast<int>(std::clamp(v, 0.0, static_cast<double>(size)));
+    };
+    const int x0 = pixelOf(std::floor(std::min(piece.a.x, piece.b.x) - reach), frame_.width);
+    const int x1 = pixelOf(std::ceil(std::max(piece.a.x, piece.b.x) + reach), frame_.width);
+    const int y0 = pixelOf(std::floor(std::min(piece.a.y, piece.b.y) - reach), frame_.height);
+    const int y1 = pixelOf(std::ceil(std::max(piece.a.y, piece.b.y) + reach), frame_.height);
+    for (int y = y0; y < y1; ++y)
+      for (int x = x0; x < x1; ++x)
+        coverPixel(piece, x, y);
+  }
+
+  /// The share of a pixel that lies before a line of normal (x, y) at distance d from its centre:
+  /// what a square turned against the line has on one side of it.
+  static float shareBefore(double normalX, double normalY, float d)
+  {
+    const double more = std::max(std::fabs(normalX), std::fabs(normalY));
+    const double less = std::max(std::min(std::fabs(normalX), std::fabs(normalY)), 1e-4);
+    const auto inner = static_cast<float>(0.5 * (more - less));
+    const auto outer = static_cast<float>(0.5 * (more + less));
+    const float y = std::fabs(d);
+    float share;
+    if (y <= inner) {
+      share = 0.5f + y * static_cast<float>(1.0 / more);
+    } else {
+      const float rest = outer > y ? outer - y : 0.0f;
+      share = 1.0f - rest * rest * static_cast<float>(1.0 / (2.0 * more * less));
+    }
+    return d < 0.0f ? 1.0f - share : share;
+  }
+
+  static float positive(float v) { return v > 0.0f ? v : 0.0f; }
+
+  void coverPixel(const Piece& piece, int column, int row)
+  {
+    const double dx = piece.b.x - piece.a.x, dy = piece.b.y - piece.a.y;
+    const double length = std::sqrt(dx * dx + dy * dy);
+    const double alongX = length > 0 ? dx / length : 1.0, alongY = length > 0 ? dy / length : 0.0;
+    const int left = column / kBlock * kBlock, bottom = row / kBlock * kBlock;
+    const double cornerX = left - piece.a.x, cornerY = bottom - piece.a.y;
+    const float x = static_cast<float>(column - left) + 0.5f;
+    const float y = static_cast<float>(row - bottom) + 0.5f;
+    const float d = (static_cast<float>(cornerX * -alongY + cornerY * alongX) +
+                     x * static_cast<float>(-alongY)) +
+                    y * static_cast<float>(alongX);
+    const float s =
+        (static_cast<float>(cornerX * alongX + cornerY * alongY) + x * static_cast<float>(alongX)) +
+        y * static_cast<float>(alongY);
+    const auto end = static_cast<float>(length);
+    const float t =
+        std::min(positive(s * (length > 0 ? static_cast<float>(1.0 / length) : 0.0f)), 1.0f);
+
+    // Beyond a round end what counts is the distance to it.
+    const float beyond =
+        (piece.roundA ? positive(-s) : 0.0f) + (piece.roundB ? positive(s - end) : 0.0f);
+    const float distance = std::sqrt(d * d + beyond * beyond);
+    const float half = piece.halfA + t * (piece.halfB - piece.halfA);
+    const float across = shareBefore(-alongY, alongX, distance + half) -
+                         shareBefore(-alongY, alongX, distance - half);
+    const float from = piece.roundA ? -1e30f : 0.0f, to = piece.roundB ? 1e30f : end;
+    const float along = std::min(positive(std::min(s + 0.5f, to) - std::max(s - 0.5f, from)), 1.0f);
+    const float covered = across * along;
+    if (!(covered > 0.0f)) return;
+    const std::size_t at = pixel(column, row);
+    coverage_[at] = std::max(coverage_[at], covered);
+    depth_[at] = std::min(depth_[at], piece.depthA + t * (piece.depthB - piece.depthA));
+  }
+
+  void blend(const LineStyle& style)
+  {
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        if (coverage_[pixel(x, y)] > 0.0f)
+          blendPixel(style, y * frame_.rowStride + x, coverage_[pixel(x, y)] * style.opacity,
+                     depth_[pixel(x, y)]);
+  }
+
+  void blendPixel(const LineStyle& style, std::ptrdiff_t index, float a, float depth)
+  {
+    float share = a;
+    bool isNew = false;
+    if (frame_.background == Background::kKeepApart && frame_.coverage != nullptr) {
+      std::vector<int> open;
+      for (int s = 0; s < scene_.samples; ++s)
+        if ((frame_.coverage[index] >> s & 1) == 0) open.push_back(s);
+      const int covered = scene_.samples - static_cast<int>(open.size());
+      const int more = static_cast<int>(a * static_cast<float>(open.size()) + 0.5f);
+      if (covered + more == 0) return;
+      share = (static_cast<float>(more) + a * static_cast<float>(covered)) /
+              static_cast<float>(covered + more);
+      for (int i = 0; i < more; ++i)
+        frame_.coverage[index] = static_cast<std::uint8_t>(frame_.coverage[index] |
+                                                           1 << open[static_cast<std::size_t>(i)]);
+      isNew = covered == 0;
+    }
+    const auto mixed = [&](float old, float line) { return old + (line - old) * share; };
+    const auto byte = [&](std::uint8_t old, float line) {
+      return static_cast<std::uint8_t>(mixed(old, std::min(line, 1.0f) * 255.0f) + 0.5f);
+    };
+    Rgba8& color = frame_.color[index];
+    color = {byte(color.r, style.color.x), byte(color.g, style.color.y),
+             byte(color.b, style.color.z), byte(color.a, 1.0f)};
+    const RadianceView& planes = frame_.radiance;
+    if (!planes.empty()) {
+      planes.r[index] = mixed(planes.r[index], style.color.x);
+      planes.g[index] = mixed(planes.g[index], style.color.y);
+      planes.b[index] = mixed(planes.b[index], style.color.z);
+    }
+    if ((a >= 0.5f || isNew) && depth < frame_.depth[index]) frame_.depth[index] = depth;
+  }
+
+  const Scene& scene_;
+  const FrameView& frame_;
+  Mat4d toClip_ = Mat4d::identity();
+  std::vector<float> old_;               ///< depths of the surfaces
+  std::vector<float> coverage_, depth_;  ///< of the drawing that is being made
+};
+
+}  // namespace
+
+void drawStrokes(const Scene& scene, const FrameView& frame)
+{
+  const bool isAny = std::any_of(scene.instances.begin(), scene.instances.end(),
+                                 [](const Instance& one) { return !one.lines.empty(); });
+  if (isAny) Lines(scene, frame).draw();
+}
+
+}  // namespace limn::reference
