@@ -43,6 +43,10 @@ Status checkFrame(const Scene& scene, const FrameView& frame)
       (radiance.r == nullptr) != (radiance.b == nullptr))
     return {Error::kMissingData,
             "The image has one or two planes of radiance; give three or none."};
+  const NormalView& normal = frame.normal;
+  if ((normal.x == nullptr) != (normal.y == nullptr) ||
+      (normal.x == nullptr) != (normal.z == nullptr))
+    return {Error::kMissingData, "The image has one or two planes of normals; give three or none."};
   if (scene.samples != 1 && scene.samples != 2 && scene.samples != 4 && scene.samples != 8 &&
       scene.samples != 16)
     return {Error::kInvalidSampleCount, "Samples per pixel: " + std::to_string(scene.samples) +
@@ -159,6 +163,14 @@ Status checkMaterial(const Instance& instance, InstanceName name)
     return {Error::kNotFinite, name + ": the share of the undertone has to be 0 to 1."};
   if (!(s.legendSafeRange >= 0 && s.legendSafeRange <= 100))
     return {Error::kNotFinite, name + ": the legend-safe range has to be 0 to 100."};
+  if (!areNotNegative({s.imageOutline.depthTolerance, s.imageOutline.creaseDegrees}) ||
+      s.imageOutline.creaseDegrees > 180)
+    return {Error::kNotFinite,
+            name +
+                ": the tolerance of an image outline has to be at least 0, its crease angle 0 "
+                "to 180 degrees."};
+  if (s.imageOutline.detector != OutlineDetector::kNone && s.outlineWidth > kMaxImageOutlineWidth)
+    return {Error::kNotFinite, name + ": an image outline has to be at most 64 pixels wide."};
   return {};
 }
 

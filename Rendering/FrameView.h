@@ -21,7 +21,7 @@ enum class Background : std::uint8_t {
 
 /// What render() writes to a frame before it draws, for frames whose old content is of no account:
 /// cheaper than clearing them first. Clears the planes that name things and the coverage too, to
-/// kNobody and 0. An error clears nothing.
+/// kNobody and 0, and the normals to (0, 0, 0). An error clears nothing.
 struct FrameClear {
   enum class Extent : std::uint8_t {
     kNothing,
@@ -42,8 +42,21 @@ struct RadianceView {
 
   bool empty() const { return r == nullptr; }
 };
+/// Planes of unit vectors in view space: right, up, towards the eye.
+struct NormalView {
+  float* x = nullptr;
+  float* y = nullptr;
+  float* z = nullptr;
+
+  bool empty() const { return x == nullptr; }
+};
 /// The largest half float, which bounds the render targets of graphics cards too.
 inline constexpr float kMaxRadiance = 65504;
+
+/// Pixels [x0, x1) x [y0, y1); empty if x0 >= x1.
+struct PixelRectangle {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+};
 
 /// Where a picture goes: borrowed rows, row 0 at the bottom, as glReadPixels has it. The scene is
 /// drawn over what the frame holds: `color` and `depth` are read and written.
@@ -65,6 +78,9 @@ struct FrameView {
   /// colour times number of samples, and the old value likewise where Background::kBlend asks for
   /// it.
   RadianceView radiance;
+  /// All three or none. The normal of the triangle of the nearest sample, where that is shaded and
+  /// as it is shaded, turned to the eye with its face, but without the bumps of textures.
+  NormalView normal = {};
 };
 // Pixels that show no instance keep their old values, or those of `clear`, in every plane.
 

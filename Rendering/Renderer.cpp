@@ -8,12 +8,15 @@
 #include "Rendering/CheckEffects.h"
 #include "Rendering/CheckScene.h"
 #include "Rendering/Lines/DrawStrokes.h"
+#include "Rendering/Lines/ImageOutline.h"
 #include "Rendering/Post/ClearPixels.h"
 #include "Rendering/Post/CompositeTile.h"
 #include "Rendering/Post/EffectPass.h"
+#include "Rendering/Post/ResolveNormals.h"
 #include "Rendering/Post/ResolveRadiance.h"
 #include "Rendering/Post/ResolveTile.h"
 #include "Rendering/Post/TileFrame.h"
+#include "Rendering/Post/WriteLayers.h"
 #include "Rendering/Raster/TranslucentTile.h"
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Reference/ReferenceEffects.h"
@@ -27,6 +30,7 @@
 #include <atomic>
 #include <chrono>
 #include <memory>
+#include <optional>
 
 namespace limn {
 namespace {
@@ -147,13 +151,15 @@ void resolve(const TileClusters& clusters, const TileRectangle& pixels, const Fr
 {
   if (memory.colors.hasRadiance)
     resolveRadiance(clusters, pixels, memory.fragments, memory.colors, frame);
+  if (!frame.normal.empty())
+    resolveNormals(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
   resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
 }
 
 /// Draws pixels of the viewport, which lie at `place` in the frame.
 TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
                        const TileRectangle& pixels, const FrameView& frame,
-                       const TileRectangle& place)
+                       const TileRectangle& place, const LayerTarget* surfaces)
 {
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
@@ -166,7 +172,10 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
   collectFragments(memory.visible, pixels, samples, scene.optimizations.fragmentRuns,
                    memory.fragments);
   memory.colors.hasRadiance = !frame.radiance.empty();
+  memory.colors.hasNormals = !frame.normal.empty() || surfaces != nullptr;
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
+  if (surfaces != nullptr)
+    writeLayers(clusters, memory.visible, pixels, memory.fragments, memory.colors, *surfaces);
   if (opaque == memory.ordered.size()) {
     resolve(clusters, place, frame, memory);
     return stats;
@@ -179,16 +188,17 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
 }
 
 TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
-                   const FrameView& frame)
+                   const FrameView& frame, const LayerTarget* layers)
 {
   const TileRectangle pixels = bins.grid.rectangle(tile);
   const bool isEmpty = bins.clustersOf(tile).empty();
   if (!isToBeCleared(frame.clear, pixels, bins.touched))
-    return isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, frame, pixels);
+    return isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, frame, pixels, layers);
   TileFrame& fresh = tileMemory().fresh;
   const FrameView& cleared = fresh.begin(frame, pixels);
   const TileStats stats =
-      isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, cleared, fresh.pixels());
+      isEmpty ? TileStats{}
+              : drawClusters(scene, bins, tile, pixels, cleared, fresh.pixels(), layers);
   fresh.write();
   return stats;
 }
@@ -204,6 +214,20 @@ void addTouched(const TileRectangle& more, TileBins& bins)
            std::max(all.y1, more.y1)};
 }
 
+PixelRectangle rectangleOf(const TileRectangle& pixels)
+{
+  return {pixels.x0, pixels.y0, pixels.x1, pixels.y1};
+}
+
+/// Room for what the pixels show, if a pass over the finished picture asks for that.
+std::optional<LayerTarget> layersFor(const Scene& scene, const FrameView& frame, int threads)
+{
+  if (std::none_of(scene.instances.begin(), scene.instances.end(), hasImageOutline)) return {};
+  thread_local SurfaceLayers layers;
+  beginLayers(frame, threads, layers);
+  return LayerTarget{{scene.camera, frame.width, frame.height}, frame.background, layers};
+}
+
 void countScene(const PlacedScene& scene, const TileBins& bins, RenderStats& stats)
 {
   stats.instances = scene.instances.size();
@@ -216,8 +240,7 @@ void countScene(const PlacedScene& scene, const TileBins& bins, RenderStats& sta
   stats.binnedClusters = bins.cluster.size();
   stats.bytes +=
       bins.cluster.size() * sizeof(std::uint32_t) + scene.clusterCount * sizeof(ClusterBounds);
-  if (bins.touched.x0 < bins.touched.x1)
-    stats.touched = {bins.touched.x0, bins.touched.y0, bins.touched.x1, bins.touched.y1};
+  if (bins.touched.x0 < bins.touched.x1) stats.touched = rectangleOf(bins.touched);
 }
 
 Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOptions& options,
@@ -239,12 +262,15 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   stats.binMilliseconds = binTime.milliseconds();
 
   const Stopwatch tileTime;
+  const std::optional<LayerTarget> layers = layersFor(scene, frame, options.threads);
   std::atomic<std::size_t> occluded = 0, truncated = 0;
   parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
-    const TileStats drawn = drawTile(placed, bins, tile, frame);
+    const TileStats drawn = drawTile(placed, bins, tile, frame, layers ? &*layers : nullptr);
     occluded.fetch_add(drawn.occludedClusters, std::memory_order_relaxed);
     truncated.fetch_add(drawn.truncatedPixels, std::memory_order_relaxed);
   });
+  if (layers && bins.touched.x0 < bins.touched.x1)
+    drawImageOutlines({scene, frame, layers->layers, rectangleOf(bins.touched), options.threads});
   if (drawsStrokes) drawStrokes(scene, frame, options.threads);
   stats.occludedClusters = occluded;
   stats.truncatedPixels = truncated;

@@ -25,11 +25,6 @@ struct RenderOptions {
   Optimizations optimizations = {};
 };
 
-/// Pixels [x0, x1) x [y0, y1); empty if x0 >= x1.
-struct PixelRectangle {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
-};
-
 /// What one frame did. Times are wall-clock milliseconds.
 struct RenderStats {
   std::size_t instances = 0, clusters = 0, triangles = 0, vertices = 0;

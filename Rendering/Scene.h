@@ -5,6 +5,7 @@
 #include "Rendering/Base/Mat4.h"
 #include "Rendering/Base/Span.h"
 #include "Rendering/Base/Vec.h"
+#include "Rendering/ImageSpace.h"
 #include "Rendering/Lines/LineSet.h"
 #include "Rendering/Mesh/ClusteredMesh.h"
 #include "Rendering/Mesh/HullEdges.h"
@@ -186,7 +187,8 @@ struct Style {
   bool evenOutline = false;
   float outlineWidth = 2;  ///< pixels, >= 0; of all outlines but that by a threshold
   Vec3f outlineColor = {0, 0, 0};
-  float outlineOpacity = 1;  ///< 0 to 1; the rest is the surface's colour
+  float outlineOpacity = 1;   ///< 0 to 1; the rest is the surface's colour
+  ImageOutline imageOutline;  ///< with the width, colour and opacity above
   /// Gives colours in the place of the light equation, pixel by pixel; may call it. Not owned.
   const SurfaceShader* surfaceShader = nullptr;
   /// The instance is translucent, whatever its opacity, which the alpha of Attributes' colours

@@ -29,6 +29,9 @@ void clearPixels(const FrameView& frame, const TileRectangle& pixels)
   fill(frame.coverage, std::uint8_t{0});
   fill(frame.instance, kNobody);
   fill(frame.cell, kNobody);
+  fill(frame.normal.x, 0.0f);
+  fill(frame.normal.y, 0.0f);
+  fill(frame.normal.z, 0.0f);
 }
 
 }  // namespace limn

@@ -3,32 +3,13 @@
 #include "Rendering/Post/ResolveTile.h"
 
 #include "Rendering/Post/ColorSum.h"
+#include "Rendering/Post/NearestSample.h"
 #include "Rendering/Post/TilePlace.h"
 
 #include <algorithm>
 
 namespace limn {
 namespace {
-
-struct Nearest {
-  float depth;
-  std::uint32_t owner;
-};
-
-Nearest nearestSample(const TileClusters& clusters, const VisibilityTile& tile, int samples,
-                      std::size_t pixel)
-{
-  Nearest nearest = {0, kNobody};
-  for (int s = 0; s < samples; ++s) {
-    const std::uint32_t owner = tile.owner[s][pixel];
-    if (owner == kNobody) continue;
-    const float depth = tile.depth[s][pixel];
-    if (nearest.owner == kNobody || depth < nearest.depth ||
-        (depth == nearest.depth && clusters.drawnLater(owner, nearest.owner)))
-      nearest = {depth, owner};
-  }
-  return nearest;
-}
 
 void writeNames(const TileClusters& clusters, std::uint32_t owner, const FrameView& frame,
                 std::ptrdiff_t index, std::size_t count)
@@ -113,7 +94,7 @@ void mixFragments(const TileClusters& clusters, const VisibilityTile& tile, cons
     const bool uniform =
         next == first + 1 && (covered == samples || frame.background == Background::kKeepApart);
     frame.color[index] = uniform ? firstColor : sum.mean();
-    const Nearest nearest = nearestSample(clusters, tile, scene.samples, pixel);
+    const NearestSample nearest = nearestSample(clusters, tile, scene.samples, pixel);
     frame.depth[index] = nearest.depth;
     if (frame.coverage != nullptr) frame.coverage[index] = static_cast<std::uint8_t>(coverage);
     writeNames(clusters, nearest.owner, frame, index, 1);

@@ -47,6 +47,8 @@ const FrameView& TileFrame::begin(const FrameView& frame, const TileRectangle& p
   tile_.cell = planeFor(frame.cell, cell_);
   tile_.radiance = {planeFor(frame.radiance.r, red_), planeFor(frame.radiance.g, green_),
                     planeFor(frame.radiance.b, blue_)};
+  tile_.normal = {planeFor(frame.normal.x, normalX_), planeFor(frame.normal.y, normalY_),
+                  planeFor(frame.normal.z, normalZ_)};
   clearPixels(tile_, pixels());
   return tile_;
 }
@@ -68,6 +70,9 @@ void TileFrame::write() const
   copy(tile_.radiance.r, frame_.radiance.r);
   copy(tile_.radiance.g, frame_.radiance.g);
   copy(tile_.radiance.b, frame_.radiance.b);
+  copy(tile_.normal.x, frame_.normal.x);
+  copy(tile_.normal.y, frame_.normal.y);
+  copy(tile_.normal.z, frame_.normal.z);
 }
 
 }  // namespace limn

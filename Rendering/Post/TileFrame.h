@@ -29,6 +29,7 @@ class TileFrame {
   Array<std::uint8_t> coverage_;
   Array<std::uint32_t> instance_, cell_;
   Array<float> red_, green_, blue_;
+  Array<float> normalX_, normalY_, normalZ_;
 };
 
 /// Rows of bytes, to memory that nobody reads soon: past the caches where that can be done.

@@ -7,6 +7,7 @@
 #include "Rendering/Base/TranslucencyBound.h"
 #include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Reference/ReferenceHull.h"
+#include "Rendering/Reference/ReferenceOutline.h"
 #include "Rendering/Reference/ReferenceShading.h"
 #include "Rendering/Vertex/ClipTriangle.h"
 #include "Rendering/Vertex/PlaceLights.h"
@@ -329,6 +330,16 @@ class Picture {
     return truncated;
   }
 
+  /// What each pixel shows first, row by row.
+  std::vector<Layer> layersOfAll()
+  {
+    std::vector<Layer> result;
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        result.push_back(layerOf(x, y));
+    return result;
+  }
+
   void shadeAll()
   {
     for (int y = 0; y < frame_.height; ++y)
@@ -433,12 +444,25 @@ class Picture {
                : offsets_[static_cast<std::size_t>(first - coverage.begin())];
   }
 
-  Vec3f shadeOwner(int x, int y, Owner owner)
+  /// Where an opaque triangle is shaded.
+  SurfacePoint shadedPoint(int x, int y, Owner owner)
   {
     std::vector<bool> coverage;
     for (std::size_t s = 0; s < offsets_.size(); ++s)
       coverage.push_back(sample(x, y, s).owner == owner);
-    const SurfacePoint point = pointOf(x, y, shadingOffset(coverage), owner);
+    return pointOf(x, y, shadingOffset(coverage), owner);
+  }
+
+  Vec3f normalOf(int x, int y, Owner owner)
+  {
+    const PlacedInstance& placed = placed_[owner.instance];
+    return normalAt(scene_, placed.instance(), placed.transform(), placed.origin(),
+                    shadedPoint(x, y, owner));
+  }
+
+  Vec3f shadeOwner(int x, int y, Owner owner)
+  {
+    const SurfacePoint point = shadedPoint(x, y, owner);
     const PlacedInstance& placed = placed_[owner.instance];
     return shade(scene_, placed.instance(), placed.transform(), placed.origin(), lights_, point);
   }
@@ -534,18 +558,79 @@ class Picture {
     planes.b[index] = sum.z / count;
   }
 
-  void resolve(int x, int y)
+  const Sample* nearestSample(int x, int y)
   {
     const Sample* nearest = nullptr;
     for (std::size_t s = 0; s < offsets_.size(); ++s) {
       const Sample& here = sample(x, y, s);
       if (here.owner.exists() && (nearest == nullptr || isNearer(here, *nearest))) nearest = &here;
     }
+    return nearest;
+  }
+
+  /// Where a sample is, on which triangle and how that is shaded.
+  Layer layerAt(int x, int y, std::size_t s, const ScreenToView& toView)
+  {
+    const Sample& here = sample(x, y, s);
+    const Point p = position(x, y, offsets_[s]);
+    Layer layer;
+    layer.instance = here.owner.instance;
+    layer.place = {static_cast<float>(p.x) / kSubpixels, static_cast<float>(p.y) / kSubpixels};
+    layer.point = toView.at(layer.place.x, layer.place.y, here.depth);
+    layer.normal = normalOf(x, y, here.owner);
+    return layer;
+  }
+
+  Layer layerOf(int x, int y)
+  {
+    const Sample* const nearest = nearestSample(x, y);
+    if (nearest == nullptr) return {};
+    const ScreenToView toView(scene_.camera, frame_.width, frame_.height);
+    const auto first = static_cast<std::size_t>(nearest - &sample(x, y, 0));
+    Layer layer = layerAt(x, y, first, toView);
+    std::vector<Rgba8> colors;
+    std::vector<SeenTriangle> triangles;
+    std::map<Owner, bool> isSame;
+    int covered = 0;
+    for (std::size_t s = 0; s < offsets_.size(); ++s) {
+      const Owner owner = sample(x, y, s).owner;
+      if (!owner.exists()) continue;
+      ++covered;
+      // By the triangle's first sample in the pixel.
+      if (isSame.count(owner) == 0)
+        isSame[owner] = owner == nearest->owner ||
+                        (owner.instance == layer.instance &&
+                         !isStep(layer, layerAt(x, y, s, toView), toleranceAt(scene_, layer)));
+      if (!isSame[owner]) continue;
+      const Vec3f color = shadeOwner(x, y, owner);
+      colors.push_back({toByte(color.x), toByte(color.y), toByte(color.z), 255});
+      note(triangles, owner, color);
+    }
+    layer.count = static_cast<int>(colors.size());
+    layer.shared = frame_.background == Background::kKeepApart ? covered : scene_.samples;
+    layer.color = meanColor(colors, scene_.resolve);
+    Vec3f sum = {0, 0, 0};
+    for (const SeenTriangle& triangle : triangles)
+      sum = sum + triangle.radiance * static_cast<float>(triangle.samples);
+    const auto n = static_cast<float>(layer.count);
+    layer.radiance = {sum.x / n, sum.y / n, sum.z / n};
+    return layer;
+  }
+
+  void resolve(int x, int y)
+  {
+    const Sample* const nearest = nearestSample(x, y);
     if (hasLayers(x, y))
       resolveLayers(x, y);
     else if (nearest != nullptr)
       resolveOpaque(x, y);
-    if (nearest != nullptr) writeNearest(*nearest, frameIndex(x, y));
+    if (nearest == nullptr) return;
+    writeNearest(*nearest, frameIndex(x, y));
+    if (frame_.normal.empty()) return;
+    const Vec3f n = normalOf(x, y, nearest->owner);
+    frame_.normal.x[frameIndex(x, y)] = n.x;
+    frame_.normal.y[frameIndex(x, y)] = n.y;
+    frame_.normal.z[frameIndex(x, y)] = n.z;
   }
 
   void writeNearest(const Sample& nearest, std::ptrdiff_t index)
@@ -630,6 +715,11 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   picture.findVisible();
   const std::size_t truncated = picture.findTranslucent();
   picture.shadeAll();
+  for (const Instance& instance : scene.instances)
+    if (instance.style.imageOutline.detector != OutlineDetector::kNone) {
+      drawOutlines(scene, frame, picture.layersOfAll());
+      break;
+    }
   return truncated;
 }
 

@@ -816,6 +816,14 @@ float alphaAt(const Scene& scene, const Instance& instance, const InstanceTransf
   return alpha > 0.0f ? (alpha < 1.0f ? alpha : 1.0f) : 0.0f;
 }
 
+Vec3f normalAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+               Vec3d meshOrigin, const SurfacePoint& point)
+{
+  const Face face(scene, instance, transform, meshOrigin, point);
+  return instance.style.frequency == ShadingFrequency::kFlat ? face.faceNormal()
+                                                             : face.pixelNormal();
+}
+
 Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
             Vec3d meshOrigin, const std::vector<ViewLight>& lights, const SurfacePoint& point)
 {

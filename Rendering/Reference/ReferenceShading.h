@@ -23,6 +23,10 @@ struct SurfacePoint {
 float alphaAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
               Vec3d meshOrigin, const SurfacePoint& point);
 
+/// The normal of a visible point as FrameView::normal has it.
+Vec3f normalAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
+               Vec3d meshOrigin, const SurfacePoint& point);
+
 /// The colour of a visible point by the instance's style, before clamping and rounding.
 Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
             Vec3d meshOrigin, const std::vector<ViewLight>& lights, const SurfacePoint& point);

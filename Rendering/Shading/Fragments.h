@@ -71,6 +71,18 @@ struct RadianceArrays {
   }
 };
 
+/// Vectors, one array a component.
+struct VectorArrays {
+  Array<float> x, y, z;
+
+  void resize(std::size_t size)
+  {
+    x.resize(size);
+    y.resize(size);
+    z.resize(size);
+  }
+};
+
 /// What of texture coordinates an instance's textures read.
 struct UvUse {
   bool set[2] = {false, false};
@@ -93,6 +105,14 @@ struct TileColors {
   Array<Rgba8> fragment;                           ///< as FragmentList lists them
   RadianceArrays pixelRadiance, fragmentRadiance;  ///< of the two; only with hasRadiance
   bool hasRadiance = false;                        ///< asks the shader for them
+  VectorArrays pixelNormal, fragmentNormal;        ///< FrameView::normal; only with hasNormals
+  bool hasNormals = false;                         ///< asks the shader for them
+};
+
+/// What a light equation needs besides the fragments.
+struct ShadingContext {
+  const PlacedScene* scene;
+  const PlacedInstance* placed;
 };
 
 class FragmentShader {
@@ -124,6 +144,8 @@ class FragmentShader {
   void placeClippedFragments(const TileClusters& clusters);
   /// Of the batch, whose fragments have these numbers in the tile.
   void keepRadiance(Span<const std::uint32_t> numbers, RadianceArrays& fragments);
+  void keepNormals(const ShadingContext& context, Span<const std::uint32_t> numbers,
+                   VectorArrays& fragments);
 
   FragmentBatch batch_;
   std::uint32_t clippedOwner_ = kNobody;  ///< of the tile being shaded
@@ -132,12 +154,6 @@ class FragmentShader {
   // For orderByInstance(): by instance of the scene, by number in the tile, by owner.
   std::vector<std::uint32_t> numberInTile_;
   std::vector<std::uint32_t> instance_, next_, number_;
-};
-
-/// What a light equation needs besides the fragments.
-struct ShadingContext {
-  const PlacedScene* scene;
-  const PlacedInstance* placed;
 };
 
 /// Fills all that the fragments' corners and cells carry, by `owner`. Not for flat frequency.
@@ -166,6 +182,12 @@ void shadeRuns(const ShadingContext& context, const TileRectangle& pixels, int s
 void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
                     const FragmentList& fragments, Span<const std::uint32_t> numbers,
                     const FragmentBatch& batch, TileColors& colors);
+/// Puts the normals of a batch of fragments in the place of their colours.
+void findNormals(const ShadingContext& context, FragmentBatch& batch);
+/// As shadeTriangles(), the runs' normals.
+void findNormals(const ShadingContext& context, const TileRectangle& pixels,
+                 const FragmentList& fragments, Span<const std::uint32_t> numbers,
+                 const FragmentBatch& batch, TileColors& colors);
 /// Clamps to [0, 1], scales to bytes, rounds to even.
 void quantizeFragments(const FragmentBatch& batch, Rgba8* colors);
 /// Clamps the batch's colours to what a RadianceView holds.

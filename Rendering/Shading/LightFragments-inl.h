@@ -640,6 +640,14 @@ struct TriangleFragments {
     giveArray(fragments, run, end, radiance[1], pixels.g.data());
     giveArray(fragments, run, end, radiance[2], pixels.b.data());
   }
+  /// Likewise, in the place of the radiance.
+  void giveNormals(const FragmentList& fragments, std::uint16_t run, std::uint16_t end,
+                   VectorArrays& pixels) const
+  {
+    giveArray(fragments, run, end, radiance[0], pixels.x.data());
+    giveArray(fragments, run, end, radiance[1], pixels.y.data());
+    giveArray(fragments, run, end, radiance[2], pixels.z.data());
+  }
 
  private:
   template <class From, class To>
@@ -785,6 +793,47 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
         shadeFragments<false>(shader, fragments);
       fragments.give(list, first, run, colors.pixel);
       if (colors.hasRadiance) fragments.giveRadiance(list, first, run, colors.pixelRadiance);
+    }
+  }
+}
+
+/// FrameView::normal.
+template <class Lanes>
+HWY_INLINE Lanes3 normalAt(const Instance& instance, FragmentLanes<Lanes>& lanes,
+                           const CornerWeights& weights)
+{
+  lanes.setWeights(weights);
+  return instance.style.frequency == ShadingFrequency::kFlat ? lanes.faceNormal()
+                                                             : lanes.pixelNormal();
+}
+
+void findNormalsKernel(const ShadingContext& context, FragmentBatch& batch)
+{
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
+    FragmentLanes<BatchLanes> lanes(context, batch, BatchLanes(i));
+    store(normalAt(*context.placed->instance, lanes, weightsOf(batch, i)), batch.color, i);
+  }
+}
+
+void findRunNormalsKernel(const ShadingContext& context, const TileRectangle& pixels,
+                          const FragmentList& list, Span<const std::uint32_t> numbers,
+                          const FragmentBatch& batch, TileColors& colors)
+{
+  TriangleFragments fragments;
+  for (std::size_t t = 0; t < numbers.size(); ++t) {
+    if (batch.needsClip[t] != 0) continue;
+    const TriangleWeights weights(batch, t, pixels);
+    FragmentLanes<TriangleLanes> lanes(context, batch, TriangleLanes(t));
+    std::uint16_t run = list.firstRun[numbers[t]];
+    while (run != FragmentRun::kNone) {
+      const std::uint16_t first = run;
+      run = fragments.take(list, run);
+      weights.weigh(fragments, false);
+      for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(D()))
+        fragments.storeRadiance(normalAt(*context.placed->instance, lanes, fragments.weightsAt(i)),
+                                i);
+      fragments.giveNormals(list, first, run, colors.pixelNormal);
     }
   }
 }

@@ -26,6 +26,8 @@ HWY_EXPORT(fadeFragmentsKernel);
 HWY_EXPORT(quantizeFragmentsKernel);
 HWY_EXPORT(boundRadianceKernel);
 HWY_EXPORT(shadeTrianglesKernel);
+HWY_EXPORT(findNormalsKernel);
+HWY_EXPORT(findRunNormalsKernel);
 HWY_EXPORT(describeSurfacesKernel);
 HWY_EXPORT(runSurfaceShaderKernel);
 HWY_EXPORT(lightSurfacesKernel);
@@ -48,6 +50,18 @@ void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
                     const FragmentBatch& batch, TileColors& colors)
 {
   HWY_DYNAMIC_DISPATCH(shadeTrianglesKernel)(context, pixels, fragments, numbers, batch, colors);
+}
+
+void findNormals(const ShadingContext& context, FragmentBatch& batch)
+{
+  HWY_DYNAMIC_DISPATCH(findNormalsKernel)(context, batch);
+}
+
+void findNormals(const ShadingContext& context, const TileRectangle& pixels,
+                 const FragmentList& fragments, Span<const std::uint32_t> numbers,
+                 const FragmentBatch& batch, TileColors& colors)
+{
+  HWY_DYNAMIC_DISPATCH(findRunNormalsKernel)(context, pixels, fragments, numbers, batch, colors);
 }
 
 void shadeRuns(const ShadingContext& context, const TileRectangle& pixels, int samples,

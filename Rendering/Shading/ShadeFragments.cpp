@@ -265,6 +265,17 @@ void FragmentShader::keepRadiance(Span<const std::uint32_t> numbers, RadianceArr
   }
 }
 
+void FragmentShader::keepNormals(const ShadingContext& context, Span<const std::uint32_t> numbers,
+                                 VectorArrays& fragments)
+{
+  findNormals(context, batch_);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    fragments.x[numbers[i]] = batch_.color.x[i];
+    fragments.y[numbers[i]] = batch_.color.y[i];
+    fragments.z[numbers[i]] = batch_.color.z[i];
+  }
+}
+
 template <class Keep>
 void FragmentShader::forEachLit(const TileClusters& clusters, const TileRectangle& pixels,
                                 int samples, const Places& places, Keep keep)
@@ -315,6 +326,7 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
 {
   clippedOwner_ = kNobody;
   if (colors.hasRadiance) colors.pixelRadiance.resize(kTilePixels);
+  if (colors.hasNormals) colors.pixelNormal.resize(kTilePixels);
   const Span<const std::uint32_t> triangles(fragments.triangleOwner.data(),
                                             fragments.triangleCount);
   forEachBatch(clusters, triangles, [&](const PlacedInstance& placed, auto numbers) {
@@ -326,21 +338,24 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
       runSurfaceShader(context, clusters, pixels, fragments, numbers, batch_, colors);
     else
       shadeTriangles(context, pixels, fragments, numbers, batch_, colors);
+    if (colors.hasNormals) findNormals(context, pixels, fragments, numbers, batch_, colors);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       if (batch_.needsClip[i] != 0) fragments.breakRuns(numbers[i], samples);
   });
 
   colors.fragment.resize(fragments.count);
   if (colors.hasRadiance) colors.fragmentRadiance.resize(fragments.count);
+  if (colors.hasNormals) colors.fragmentNormal.resize(fragments.count);
   const Places places = {{fragments.owner.data(), fragments.count},
                          {fragments.pixel.data(), fragments.count},
                          fragments.coverage.data()};
-  forEachLit(clusters, pixels, samples, places, [&](const PlacedInstance&, auto numbers) {
+  forEachLit(clusters, pixels, samples, places, [&](const PlacedInstance& placed, auto numbers) {
     Rgba8 shaded[FragmentBatch::kCapacity];
     quantizeFragments(batch_, shaded);
     for (std::size_t i = 0; i < numbers.size(); ++i)
       colors.fragment[numbers[i]] = shaded[i];
     if (colors.hasRadiance) keepRadiance(numbers, colors.fragmentRadiance);
+    if (colors.hasNormals) keepNormals({clusters.scene, &placed}, numbers, colors.fragmentNormal);
   });
 }
 

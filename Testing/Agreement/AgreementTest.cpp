@@ -295,6 +295,60 @@ TEST_P(EveryTarget, DrawsLinesLikeTheReference)
   EXPECT_GT(newDepths, 20000u);
 }
 
+TEST_P(EveryTarget, FindsNormalsLikeTheReference)
+{
+  constexpr RandomScene::Detail kDetails[] = {
+      RandomScene::Detail::kAny,        RandomScene::Detail::kFine,    RandomScene::Detail::kCoarse,
+      RandomScene::Detail::kTextures,   RandomScene::Detail::kShaders, RandomScene::Detail::kLights,
+      RandomScene::Detail::kTranslucent};
+  std::size_t normals = 0;
+  for (std::uint32_t seed = 0; seed < 140; ++seed) {
+    const RandomScene random(seed, kDetails[seed % 7]);
+    Picture expected = random.canvas(), actual = random.canvas();
+    for (Picture* picture : {&expected, &actual})
+      picture->addNormals();
+    FrameView frame = actual.frame(random.background());
+    FrameView plain = expected.frame(random.background());
+    if (seed % 5 == 0) frame.clear.extent = plain.clear.extent = FrameClear::Extent::kAll;
+    ASSERT_TRUE(render(random.scene(), plain, {Backend::kReference, 1}).ok());
+    ASSERT_TRUE(render(random.scene(), frame, {Backend::kPipeline, 2}).ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    for (const float z : actual.normal[2])
+      normals += z != 0;
+  }
+  EXPECT_GT(normals, 100000u);
+}
+
+TEST_P(EveryTarget, DrawsImageLinesLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kImageLines);
+    Picture expected = random.canvas(), actual = random.canvas(), plain = random.canvas();
+    if (seed % 3 == 0)
+      for (Picture* picture : {&expected, &actual})
+        picture->addRadiance();
+    FrameView referenceFrame = expected.frame(random.background());
+    FrameView frame = actual.frame(random.background());
+    if (seed % 5 == 0) frame.clear.extent = referenceFrame.clear.extent = FrameClear::Extent::kAll;
+    ASSERT_TRUE(render(random.scene(), referenceFrame, {Backend::kReference, 1}).ok());
+    ASSERT_TRUE(render(random.scene(), frame, {Backend::kPipeline, kThreads[seed % 4]}).ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    Scene without = random.scene();
+    std::vector<Instance> instances(without.instances.begin(), without.instances.end());
+    for (Instance& instance : instances)
+      instance.style.imageOutline = {};
+    without.instances = instances;
+    frame = plain.frame(random.background());
+    if (seed % 5 == 0) frame.clear.extent = FrameClear::Extent::kAll;
+    ASSERT_TRUE(render(without, frame).ok());
+    for (std::size_t i = 0; i < plain.color.size(); ++i)
+      changedPixels += plain.color[i].r != actual.color[i].r;
+  }
+  EXPECT_GT(changedPixels, 50000u) << "the lines must show";
+}
+
 TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)
 {
   std::size_t occluded = 0;

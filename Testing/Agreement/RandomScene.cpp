@@ -192,6 +192,7 @@ FrameView Picture::frame(Background background)
   view.background = background;
   if (!radiance[0].empty())
     view.radiance = {radiance[0].data(), radiance[1].data(), radiance[2].data()};
+  if (!normal[0].empty()) view.normal = {normal[0].data(), normal[1].data(), normal[2].data()};
   return view;
 }
 
@@ -206,18 +207,26 @@ void Picture::addRadiance()
   }
 }
 
+void Picture::addNormals()
+{
+  for (std::vector<float>& plane : normal)
+    plane.resize(color.size());
+}
+
 std::size_t Picture::differingPixels(const Picture& other) const
 {
-  const auto radianceDiffers = [&](std::size_t i) {
+  const auto floatsDiffer = [&](std::size_t i) {
     for (std::size_t c = 0; c < 3; ++c)
-      if (!radiance[c].empty() &&
-          std::memcmp(&radiance[c][i], &other.radiance[c][i], sizeof(float)) != 0)
+      if ((!radiance[c].empty() &&
+           std::memcmp(&radiance[c][i], &other.radiance[c][i], sizeof(float)) != 0) ||
+          (!normal[c].empty() &&
+           std::memcmp(&normal[c][i], &other.normal[c][i], sizeof(float)) != 0))
         return true;
     return false;
   };
   std::size_t count = 0;
   for (std::size_t i = 0; i < color.size(); ++i)
-    if (radianceDiffers(i) || std::memcmp(&color[i], &other.color[i], sizeof color[i]) != 0 ||
+    if (floatsDiffer(i) || std::memcmp(&color[i], &other.color[i], sizeof color[i]) != 0 ||
         std::memcmp(&depth[i], &other.depth[i], sizeof depth[i]) != 0 ||
         (!coverage.empty() && coverage[i] != other.coverage[i]) ||
         instance[i] != other.instance[i] || cell[i] != other.cell[i])
@@ -257,6 +266,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (isToned) addTones();
   if (detail == Detail::kDataTones) addDataTones();
   if (detail == Detail::kHulls) addHulls();
+  if (detail == Detail::kImageLines) addImageLines();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -289,12 +299,14 @@ void RandomScene::addMesh(Random& random, Detail detail)
   std::vector<Vec3d> points =
       detail == Detail::kFine || detail == Detail::kFineTranslucent ||
               (detail == Detail::kHulls && seed_ % 8 == 0) ||
-              (detail == Detail::kLines && seed_ % 5 == 0)
+              (detail == Detail::kLines && seed_ % 5 == 0) ||
+              (detail == Detail::kImageLines && seed_ % 3 == 1)
           ? makeBumpySphere(random, *mesh)
       : detail == Detail::kHulls ? makeSolids(random, *mesh)
       : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
                                        detail == Detail::kTranslucent || detail == Detail::kTones ||
-                                       detail == Detail::kDataTones || detail == Detail::kLines) &&
+                                       detail == Detail::kDataTones || detail == Detail::kLines ||
+                                       detail == Detail::kImageLines) &&
                                       seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
@@ -599,6 +611,29 @@ void RandomScene::addHulls()
         static_cast<float>(random.chance(6) ? 40 * random.below(2) : random.between(0.2, 6));
     if (random.chance(4)) hull.style.outlineOpacity = static_cast<float>(random.between(0, 1));
     instances_.insert(random.chance(2) ? instances_.end() : instances_.begin(), hull);
+  }
+}
+
+void RandomScene::addImageLines()
+{
+  Random random(seed_ ^ 0x11A6E0u);
+  const auto number = [&](double low, double high) {
+    return static_cast<float>(random.between(low, high));
+  };
+  if (random.chance(4)) instances_[0].material.opacity = 0.5f;
+  for (Instance& instance : instances_) {
+    if (random.chance(5)) continue;
+    Style& style = instance.style;
+    // Mostly the one that is not for comparison alone.
+    style.imageOutline.detector =
+        random.chance(4) ? static_cast<OutlineDetector>(random.below(4)) : OutlineDetector::kPlane;
+    style.imageOutline.depthTolerance = random.chance(4) ? number(0, 0.5) : number(0.5, 6);
+    style.imageOutline.creaseDegrees = random.chance(5) ? 180 : number(0, 120);
+    style.outlineWidth = random.chance(6) ? number(4, 8) : number(0, 4);
+    style.outlineColor = random.color();
+    style.outlineOpacity = random.chance(2) ? 1 : number(0, 1);
+    // Facets would be nothing but creases.
+    if (!random.chance(4)) style.normals = NormalSource::kVertex;
   }
 }
 

@@ -65,11 +65,13 @@ struct Picture {
   std::vector<std::uint8_t> coverage;  ///< empty with 16 samples
   std::vector<std::uint32_t> instance, cell;
   std::array<std::vector<float>, 3> radiance;  ///< empty unless asked for
+  std::array<std::vector<float>, 3> normal;    ///< likewise
 
   Picture(int width, int height);
   FrameView frame(Background background);
   /// Of the colours that the picture has now.
   void addRadiance();
+  void addNormals();
   /// Pixels in which any plane differs, by bits.
   std::size_t differingPixels(const Picture& other) const;
 };
@@ -96,6 +98,7 @@ class RandomScene {
     kDataTones,        ///< as kAny or kCoarse, with tones over colours of data
     kHulls,            ///< closed surfaces, coarse or as kFine, with inverted hulls
     kLines,            ///< as kAny, kFine or kCoarse, with lines of all kinds
+    kImageLines,       ///< as kAny, kFine or kCoarse, most with lines from the picture
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -119,6 +122,7 @@ class RandomScene {
   void addTones();
   void addDataTones();
   void addHulls();
+  void addImageLines();
   void joinTextures();
   void addImages(Random& random);
   TextureLayer randomLayer(Random& random) const;

@@ -26,6 +26,7 @@ constexpr std::uint64_t kHashOfTextures = 6601808570278293167u;
 constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 14605611306974679685u;
+constexpr std::uint64_t kHashOfImageLines = 12411982779336006324u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 10525385779553263118u;
 constexpr std::uint64_t kHashOfDataTones = 17885076244719390221u;
@@ -134,6 +135,13 @@ TEST_P(SameBytes, PostEffectsHaveTheKnownHash)
   const std::uint64_t hash = hashOfPostEffects();
   std::cout << "kHashOfPostEffects " << hash << '\n';
   EXPECT_EQ(hash, kHashOfPostEffects);
+}
+
+TEST_P(SameBytes, ImageLinesHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kImageLines);
+  std::cout << "kHashOfImageLines " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfImageLines);
 }
 
 TEST_P(SameBytes, HundredScenesWithShadersHaveTheKnownHash)

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+
+/// What is drawn from the finished picture's depth, normals and names, instance by instance. All
+/// of it changes the colours of the instance that asks for it and no others'. Translucent instances
+/// have no depth and no names in the picture, and so none of this; what lies behind them has, and
+/// its lines are drawn over them.
+namespace limn {
+
+/// How an edge between two pixels next to each other is found.
+enum class OutlineDetector : std::uint8_t {
+  kNone,
+  /// The planes through what two pixels show predict each other: there is a step where one lies off
+  /// the other's plane by more than the tolerance, and not behind both, as on a rounded border
+  /// (after Saito and Takahashi 1990). Never on a plane, however it is tilted.
+  kPlane,
+  /// The slope of the distance along the gaze by Sobel's operator (the chapter's convolution) on
+  /// the way from one pixel to the other, at both: also on planes tilted by more than the
+  /// tolerance.
+  kSobel,
+  /// A change of sign of the Laplacian of that distance.
+  kLaplacian,
+};
+
+inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
+
+/// Lines along borders to other instances and to the background, along steps and along creases.
+/// Steps and borders belong to the nearer surface: the line lies inside of it,
+/// `Style::outlineWidth` wide from the border, which is found in the coverage of the samples to a
+/// part of a pixel. Creases lie in the middle of their line. Antialiased by the share of the pixel
+/// that the line covers.
+struct ImageOutline {
+  OutlineDetector detector = OutlineDetector::kNone;
+  float depthTolerance = 3;  ///< of a step, in pixels' widths where it is; >= 0
+  float creaseDegrees = 40;  ///< normals that differ by more make a line; 0 to 180, 180: none
+};
+
+}  // namespace limn

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Lines/ImageOutline.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace limn {
+
+/// A piece of a surface's border or of a step, within about a pixel.
+struct EdgePoint {
+  Vec2f foot;    ///< where it is nearest to the pixel's centre; pixels
+  Vec2f normal;  ///< unit, away from the surface; (0, 0): all of the pixel is at the border
+  int column;
+  std::uint32_t index;  ///< of the pixel, whose layer it borders
+};
+/// Of one row of pixels, by columns.
+struct EdgeRow {
+  std::vector<EdgePoint> points;
+};
+
+/// Where a crease crosses the way from a pixel to its right neighbour or the one above.
+struct CreaseCrossing {
+  Vec2f place;
+  int column;
+  std::uint32_t index;  ///< of the pixel
+};
+struct CreaseSegment {
+  Vec2f from, to;  ///< may be one place
+  int column;
+  std::uint32_t index;  ///< of a pixel at its side
+};
+/// Crossings that leave a row of pixels, and segments between it and the row above.
+struct CreaseRow {
+  std::vector<CreaseCrossing> toRight, toAbove;  ///< by columns
+  std::vector<CreaseSegment> segments;           ///< likewise
+};
+
+/// Finds edges between pixels that are next to each other.
+class EdgeFinder {
+ public:
+  explicit EdgeFinder(const OutlinePass& pass);
+
+  /// The edges that a row's pixels own, and the crossings of creases that leave them.
+  void find(int y, EdgeRow& edges, CreaseRow& creases) const;
+
+ private:
+  struct Settings {
+    bool isOutlined = false;
+    OutlineDetector detector = OutlineDetector::kNone;
+    float creaseBound = 0;  ///< of 1 - n.n'
+  };
+  struct Pixel {
+    int x, y;
+  };
+
+  bool isOutlined(std::uint32_t instance) const { return settings_[instance].isOutlined; }
+  /// How much of `other` counts as the surface that `pixel` shows: 1 for what lies before it.
+  float shareOf(Pixel pixel, Pixel other) const;
+  float depthAt(Pixel pixel) const;
+  bool isStep(Pixel first, Pixel second) const;
+  bool isConvolved(Pixel first, Pixel second) const;
+  Vec2f sobel(Pixel pixel) const;
+  float laplacian(Pixel pixel) const;
+  float distanceBeside(Pixel pixel, int dx, int dy) const;
+  bool isBefore(Pixel first, Pixel second) const;
+  float tolerance(std::size_t first, std::size_t second) const;
+  void addEdge(Pixel pixel, EdgeRow& edges) const;
+  bool crosses(Pixel pixel, Pixel other, CreaseCrossing& crossing) const;
+
+  const OutlinePass& pass_;
+  const SurfaceLayers& layers_;
+  float samples_;
+  std::vector<Settings> settings_;  ///< by instance
+};
+
+/// Joins the crossings on the sides of the squares between the centres of two rows' pixels.
+void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const CreaseRow& above,
+                   CreaseRow& result);
+
+}  // namespace limn

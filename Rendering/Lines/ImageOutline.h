@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/FrameView.h"
+#include "Rendering/Lines/SurfaceLayers.h"
+
+namespace limn {
+
+/// What the lines of a frame are drawn from.
+struct OutlinePass {
+  const Scene& scene;
+  const FrameView& frame;
+  const SurfaceLayers& layers;
+  PixelRectangle touched;  ///< all pixels that have layers lie in it
+  int threads;
+};
+
+/// Makes the layers as large as the frame, all of them nobody's.
+void beginLayers(const FrameView& frame, int threads, SurfaceLayers& layers);
+
+/// Draws the lines of Style::imageOutline over the finished picture. Gives the bytes of
+/// Reference/ReferenceOutline, with any number of threads.
+void drawImageOutlines(const OutlinePass& pass);
+
+}  // namespace limn

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Lines/SurfaceLayers.h"
+#include "Rendering/Shading/Fragments.h"
+
+namespace limn {
+
+/// Where the layers of a frame go.
+struct LayerTarget {
+  ScreenToView toView;
+  Background background;
+  SurfaceLayers& layers;  ///< as large as the viewport
+};
+
+/// Writes what the pixels of a tile show first. `pixels` are the tile's in the viewport.
+/// Requires: as resolveTile(), and TileColors::hasNormals.
+void writeLayers(const TileClusters& clusters, const VisibilityTile& tile,
+                 const TileRectangle& pixels, const FragmentList& fragments,
+                 const TileColors& colors, const LayerTarget& target);
+
+}  // namespace limn

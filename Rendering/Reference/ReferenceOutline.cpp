@@ -1,0 +1,442 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Reference/ReferenceOutline.h"
+
+#include "Rendering/Base/Power.h"
+#include "Rendering/Base/ResolveTable.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace limn::reference {
+namespace {
+
+struct Pixel {
+  int x, y;
+};
+
+/// Part of a border, and which way is out.
+struct Edge {
+  Vec2f foot, normal;
+};
+
+struct Segment {
+  Vec2f a, b;
+  Pixel owner;
+};
+
+float dot2(Vec2f a, Vec2f b)
+{
+  return a.x * b.x + a.y * b.y;
+}
+
+/// The area of the unit square about the origin in which n.x < d.
+float areaBelow(Vec2f n, float d)
+{
+  const float u = std::max(std::fabs(n.x), std::fabs(n.y));
+  const float v = std::min(std::fabs(n.x), std::fabs(n.y));
+  const float corner = (u + v) * 0.5f, side = (u - v) * 0.5f;
+  if (d <= -corner) return 0.0f;
+  if (d >= corner) return 1.0f;
+  if (std::fabs(d) <= side) return 0.5f + d / u;
+  const float rest = corner - std::fabs(d);
+  const float cut = rest * rest / (2.0f * u * v);
+  return d < 0.0f ? cut : 1.0f - cut;
+}
+
+/// d for which areaBelow(n, d) is `area`.
+float distanceOf(Vec2f n, float area)
+{
+  const float u = std::max(std::fabs(n.x), std::fabs(n.y));
+  const float v = std::min(std::fabs(n.x), std::fabs(n.y));
+  const float corner = (u + v) * 0.5f, side = (u - v) * 0.5f;
+  const float middle = (area - 0.5f) * u;
+  if (std::fabs(middle) <= side) return middle;
+  if (area < 0.5f) return std::sqrt(2.0f * u * v * area) - corner;
+  return corner - std::sqrt(2.0f * u * v * (1.0f - area));
+}
+
+class Outlines {
+ public:
+  Outlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
+      : scene_(scene), frame_(frame), layers_(layers)
+  {
+    edges_.resize(layers.size());
+    right_.resize(layers.size());
+    above_.resize(layers.size());
+    segments_.resize(layers.size());
+    for (int y = 0; y < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x)
+        findAt({x, y});
+    for (int y = 0; y + 1 < frame.height; ++y)
+      for (int x = 0; x < frame.width; ++x)
+        joinAt({x, y});
+  }
+
+  void draw() const
+  {
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        if (isOutlined(layer({x, y}).instance)) paint({x, y}, shareOfLines({x, y}));
+  }
+
+ private:
+  std::size_t index(Pixel p) const
+  {
+    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(frame_.width) +
+           static_cast<std::size_t>(p.x);
+  }
+  const Layer& layer(Pixel p) const { return layers_[index(p)]; }
+  bool isInside(Pixel p) const
+  {
+    return p.x >= 0 && p.y >= 0 && p.x < frame_.width && p.y < frame_.height;
+  }
+  const Style& styleAt(Pixel p) const { return scene_.instances[layer(p).instance].style; }
+  bool isOutlined(std::uint32_t instance) const
+  {
+    if (instance == kNobody) return false;
+    const Instance& of = scene_.instances[instance];
+    return of.style.imageOutline.detector != OutlineDetector::kNone && of.style.outlineWidth > 0 &&
+           !of.isTranslucent();
+  }
+  float own(Pixel p) const
+  {
+    return static_cast<float>(layer(p).count) / static_cast<float>(scene_.samples);
+  }
+  static Vec2f centre(Pixel p)
+  {
+    return {static_cast<float>(p.x) + 0.5f, static_cast<float>(p.y) + 0.5f};
+  }
+  float bothTolerances(Pixel p, Pixel q) const
+  {
+    return std::max(toleranceAt(scene_, layer(p)), toleranceAt(scene_, layer(q)));
+  }
+
+  /// Distance from the eye's plane at q if the instance of p is there, else at p.
+  float distanceAt(Pixel p, Pixel q) const
+  {
+    const bool isThere = isInside(q) && layer(q).instance == layer(p).instance;
+    return -layer(isThere ? q : p).point.position.z;
+  }
+  /// Sobel's weights 1, 2, 1 along each axis.
+  Vec2f sobel(Pixel p) const
+  {
+    const auto z = [&](int dx, int dy) { return distanceAt(p, {p.x + dx, p.y + dy}); };
+    float gx = 0, gy = 0;
+    for (int i = -1; i <= 1; ++i) {
+      const float weight = i == 0 ? 2.0f : 1.0f;
+      gx = gx + weight * (z(1, i) - z(-1, i));
+      gy = gy + weight * (z(i, 1) - z(i, -1));
+    }
+    return {gx / 8.0f, gy / 8.0f};
+  }
+  /// What of a gradient there is on the way from p to q, per pixel.
+  static float slope(Pixel p, Pixel q, Vec2f gradient)
+  {
+    const auto dx = static_cast<float>(q.x - p.x), dy = static_cast<float>(q.y - p.y);
+    const float along = gradient.x * dx + gradient.y * dy;
+    return std::fabs(dx != 0 && dy != 0 ? along * 0.707106781f : along);
+  }
+  float laplacian(Pixel p) const
+  {
+    const float sides = distanceAt(p, {p.x + 1, p.y}) + distanceAt(p, {p.x - 1, p.y});
+    const float ends = distanceAt(p, {p.x, p.y + 1}) + distanceAt(p, {p.x, p.y - 1});
+    return (sides + ends) - 4.0f * distanceAt(p, p);
+  }
+  /// Between two pixels of one instance.
+  bool isEdge(Pixel p, Pixel q) const
+  {
+    const float tolerance = bothTolerances(p, q);
+    switch (styleAt(p).imageOutline.detector) {
+      case OutlineDetector::kSobel:
+        return std::min(slope(p, q, sobel(p)), slope(p, q, sobel(q))) > tolerance;
+      case OutlineDetector::kLaplacian: {
+        const float a = laplacian(p), b = laplacian(q);
+        const bool turns = (a > 0 && b < 0) || (a < 0 && b > 0);
+        return turns && std::fabs(a - b) > 2.0f * tolerance;
+      }
+      default:
+        return isStep(layer(p), layer(q), tolerance);
+    }
+  }
+
+  /// Which of two pixels an edge between them belongs to.
+  bool ownsEdge(Pixel p, Pixel q) const
+  {
+    const Layer &a = layer(p), &b = layer(q);
+    const bool isSame = a.instance == b.instance;
+    const Vec3f way = b.point.position - a.point.position;
+    const float beforeA = dot(a.normal, way);          // how far b is before a's plane
+    const float beforeB = dot(b.normal, way * -1.0f);  // and a before b's
+    const bool byDepth = isSame && styleAt(p).imageOutline.detector != OutlineDetector::kPlane;
+    const float off = std::max(std::fabs(beforeA), std::fabs(beforeB));
+    const bool areOneBeforeOther = (beforeA > 0) != (beforeB > 0);
+    const float noise = std::max(a.point.rounding, b.point.rounding);
+    const bool touch = off <= noise || (off <= bothTolerances(p, q) && !areOneBeforeOther);
+    if (!isSame && touch) {
+      if (isOutlined(a.instance) != isOutlined(b.instance)) return isOutlined(a.instance);
+      return a.instance < b.instance;
+    }
+    if (byDepth || std::fabs(beforeA) == std::fabs(beforeB)) {
+      if (a.point.position.z == b.point.position.z) return index(p) < index(q);
+      return a.point.position.z > b.point.position.z;
+    }
+    return std::fabs(beforeB) > std::fabs(beforeA) ? beforeB > 0 : beforeA < 0;
+  }
+
+  /// How much of q is covered by what p shows, or by what lies before that.
+  float coverage(Pixel p, Pixel q) const
+  {
+    if (!isInside(q)) return 1;
+    if (layer(q).instance == kNobody) {
+      const auto depth = [&](Pixel at) { return frame_.depth[at.y * frame_.rowStride + at.x]; };
+      return depth(q) < depth(p) ? 1.0f : 0.0f;
+    }
+    if (layer(q).instance == layer(p).instance && !isEdge(p, q)) return own(q);
+    return ownsEdge(p, q) ? 0.0f : 1.0f;
+  }
+
+  void findAt(Pixel p)
+  {
+    if (!isOutlined(layer(p).instance)) return;
+    findEdge(p);
+    right_[index(p)] = crossing(p, {p.x + 1, p.y});
+    above_[index(p)] = crossing(p, {p.x, p.y + 1});
+  }
+
+  void findEdge(Pixel p)
+  {
+    float c[3][3];  // [row][column] about p
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx)
+        c[dy + 1][dx + 1] = dx == 0 && dy == 0 ? own(p) : coverage(p, {p.x + dx, p.y + dy});
+    const Pixel beside[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+    const bool isBare = std::any_of(std::begin(beside), std::end(beside),
+                                    [&](Pixel d) { return c[d.y + 1][d.x + 1] == 0; });
+    if (own(p) == 1 && !isBare) return;
+
+    const float root2 = 1.41421356f;
+    const Vec2f in = {root2 * (c[1][2] - c[1][0]) + ((c[2][2] + c[0][2]) - (c[2][0] + c[0][0])),
+                      root2 * (c[2][1] - c[0][1]) + ((c[2][2] + c[2][0]) - (c[0][2] + c[0][0]))};
+    const float length = std::sqrt(dot2(in, in));
+    edges_[index(p)] = Edge{centre(p), {0, 0}};
+    if (length == 0) return;
+    const Vec2f n = {-in.x / length, -in.y / length};
+    float distance = 1;
+    if (own(p) < 1) {
+      distance = distanceOf(n, own(p));
+    } else {
+      for (const Pixel d : beside) {
+        const float half = 0.5f * (n.x * static_cast<float>(d.x) + n.y * static_cast<float>(d.y));
+        if (c[d.y + 1][d.x + 1] == 0 && half > 0) distance = std::min(distance, half);
+      }
+    }
+    edges_[index(p)] = Edge{centre(p) + n * distance, n};
+  }
+
+  /// Where the planes that p and q show meet, between the two, if they make a crease.
+  std::optional<Vec2f> crossing(Pixel p, Pixel q) const
+  {
+    if (!isInside(q) || layer(q).instance != layer(p).instance) return {};
+    const Layer &a = layer(p), &b = layer(q);
+    const double angle = styleAt(p).imageOutline.creaseDegrees;
+    if (!(1.0f - dot(a.normal, b.normal) > 1.0f - static_cast<float>(cosineOfDegrees(angle))))
+      return {};
+    if (isEdge(p, q)) return {};
+    const Vec3f eye =
+        scene_.camera.parallel ? Vec3f{0, 0, 1} : (a.point.position + b.point.position) * -1.0f;
+    const Vec3f way = b.point.position - a.point.position;
+    const float gapAtP = dot(b.normal, way * -1.0f) / dot(b.normal, eye);
+    const float gapAtQ = -(dot(a.normal, way) / dot(a.normal, eye));
+    float t = gapAtP / (gapAtP - gapAtQ);
+    if (!(t > 0 && t < 1)) t = 0.5f;
+    return a.place + (b.place - a.place) * t;
+  }
+
+  /// Of the square between the centres of p, the pixels to its right and above, and the fourth.
+  void joinAt(Pixel p)
+  {
+    const Pixel east = {p.x + 1, p.y}, north = {p.x, p.y + 1};
+    std::vector<Vec2f> places;
+    std::vector<Pixel> owners;
+    const auto take = [&](const std::optional<Vec2f>& place, Pixel owner) {
+      if (!place || (!owners.empty() && layer(owner).instance != layer(owners[0]).instance)) return;
+      places.push_back(*place);
+      owners.push_back(owner);
+    };
+    take(right_[index(p)], p);
+    take(above_[index(p)], p);
+    if (isInside(east)) take(above_[index(east)], east);
+    take(right_[index(north)], north);
+    if (places.empty()) return;
+    std::vector<Segment>& segments = segments_[index(p)];
+    if (places.size() <= 2) {
+      segments.push_back({places.front(), places.back(), owners[0]});
+      return;
+    }
+    Vec2f middle = {0, 0};
+    for (const Vec2f place : places)
+      middle = middle + place;
+    middle = middle * (1.0f / static_cast<float>(places.size()));
+    for (const Vec2f place : places)
+      segments.push_back({middle, place, owners[0]});
+  }
+
+  /// Calls visit(q) for the pixels that may have edges whose line meets p.
+  template <class Visit>
+  void around(Pixel p, Visit visit) const
+  {
+    const int reach = static_cast<int>(std::ceil(styleAt(p).outlineWidth)) + 2;
+    for (int y = p.y - reach; y <= p.y + reach; ++y)
+      for (int x = p.x - reach; x <= p.x + reach; ++x)
+        if (isInside({x, y})) visit(Pixel{x, y});
+  }
+  bool showSame(Pixel p, Pixel q) const
+  {
+    if (layer(p).instance != layer(q).instance) return false;
+    const Vec2f way = layer(p).place - layer(q).place;
+    const float far = std::max(std::fabs(way.x), std::fabs(way.y));
+    return !isStep(layer(p), layer(q), bothTolerances(p, q) * (1.0f + far));
+  }
+
+  float shareOfLines(Pixel p) const
+  {
+    return std::max(shareOfBorder(p), shareOfCrease(p) * own(p));
+  }
+
+  float shareOfBorder(Pixel p) const
+  {
+    std::vector<Pixel> found;
+    around(p, [&](Pixel q) {
+      const std::optional<Edge>& edge = edges_[index(q)];
+      if (edge && dot2(edge->normal, edge->foot - centre(p)) >= -0.75f && showSame(p, q))
+        found.push_back(q);
+    });
+    if (found.empty()) return 0;
+    const auto way = [&](Pixel q) { return edges_[index(q)]->foot - centre(p); };
+    const Pixel nearest = *std::min_element(found.begin(), found.end(), [&](Pixel a, Pixel b) {
+      return dot2(way(a), way(a)) < dot2(way(b), way(b));
+    });
+    const Vec2f n = edges_[index(nearest)]->normal, to = way(nearest);
+    if (n.x == 0 && n.y == 0) return index(nearest) == index(p) ? own(p) : 0.0f;
+    const auto along = [&](Vec2f v) { return std::fabs(n.x * v.y - n.y * v.x); };
+    float distance = std::sqrt(dot2(to, to));
+    Vec2f across = n;
+    if (along(to) > 1.5f) {
+      across = to * (1.0f / distance);
+    } else {
+      float sum = 0, weights = 0;
+      for (const Pixel q : found) {
+        const Vec2f other = edges_[index(q)]->normal;
+        const float weight = 3.0f - along(way(q));
+        if (weight <= 0 || dot2(other, n) < 0.7f) continue;
+        // Another border beside it is none of it.
+        if (std::fabs(dot2(n, edges_[index(q)]->foot - edges_[index(nearest)]->foot)) > 1) continue;
+        sum += weight * (0.5f * (dot2(other, way(q)) + dot2(n, way(q))));
+        weights += weight;
+      }
+      distance = sum / weights;
+    }
+    return std::max(0.0f, own(p) - areaBelow(across, distance - styleAt(p).outlineWidth));
+  }
+
+  float shareOfCrease(Pixel p) const
+  {
+    std::optional<Vec2f> nearest;
+    Vec2f side = {0, 0};
+    around(p, [&](Pixel q) {
+      for (const Segment& segment : segments_[index(q)]) {
+        if (!showSame(p, segment.owner)) continue;
+        const Vec2f ab = segment.b - segment.a, a = segment.a - centre(p);
+        const float length = dot2(ab, ab);
+        const float t = length > 0 ? -(dot2(a, ab) / length) : 0.0f;
+        const Vec2f to = a + ab * std::clamp(t, 0.0f, 1.0f);
+        if (nearest && dot2(to, to) >= dot2(*nearest, *nearest)) continue;
+        nearest = to;
+        side = ab;
+      }
+    });
+    if (!nearest) return 0;
+    const float distance = std::sqrt(dot2(*nearest, *nearest)),
+                length = std::sqrt(dot2(side, side));
+    Vec2f n = {1, 0};
+    if (distance > 0)
+      n = *nearest * (1.0f / distance);
+    else if (length > 0)
+      n = {side.y / length, -side.x / length};
+    const float half = styleAt(p).outlineWidth * 0.5f;
+    return areaBelow(n, half - distance) - areaBelow(n, -half - distance);
+  }
+
+  /// As if `share` of the pixel's samples, which show the layer, had the line's colour.
+  void paint(Pixel p, float share) const
+  {
+    if (!(share > 0)) return;
+    const Layer& l = layer(p);
+    const Style& style = styleAt(p);
+    const std::ptrdiff_t at = p.y * frame_.rowStride + p.x;
+    Rgba8& c = frame_.color[at];
+    c.r = paintByte(c.r, l.color.r, style.outlineColor.x, p, share);
+    c.g = paintByte(c.g, l.color.g, style.outlineColor.y, p, share);
+    c.b = paintByte(c.b, l.color.b, style.outlineColor.z, p, share);
+    if (frame_.radiance.empty()) return;
+    const float part = share * static_cast<float>(scene_.samples) * style.outlineOpacity /
+                       static_cast<float>(l.shared);
+    const auto add = [&](float& value, float line, float from) {
+      value = std::clamp(value + (line - from) * part, 0.0f, kMaxRadiance);
+    };
+    add(frame_.radiance.r[at], style.outlineColor.x, l.radiance.x);
+    add(frame_.radiance.g[at], style.outlineColor.y, l.radiance.y);
+    add(frame_.radiance.b[at], style.outlineColor.z, l.radiance.z);
+  }
+
+  std::uint8_t paintByte(std::uint8_t old, std::uint8_t from, float line, Pixel p,
+                         float share) const
+  {
+    const auto rounded = [](float x) {
+      return static_cast<std::uint8_t>(std::nearbyint(std::clamp(x, 0.0f, 255.0f)));
+    };
+    const float f = from;
+    const std::uint8_t to = rounded(f + (line * 255.0f - f) * styleAt(p).outlineOpacity);
+    const double samples = double{share} * scene_.samples;
+    const int shared = layer(p).shared;
+    if (scene_.resolve == Resolve::kLinear)
+      return rounded(static_cast<float>(old + samples * (to - from) / shared));
+    const ResolveTable& table = ResolveTable::gamma22();
+    const auto linear = [&](std::uint8_t byte) { return static_cast<double>(table.linear(byte)); };
+    const double change = std::nearbyint(samples * (linear(to) - linear(from)));
+    const double sum = std::clamp(linear(old) * shared + change, 0.0, linear(255) * shared);
+    return table.byteOfMean(static_cast<std::uint32_t>(sum), static_cast<std::uint32_t>(shared));
+  }
+
+  const Scene& scene_;
+  const FrameView& frame_;
+  const std::vector<Layer>& layers_;
+  std::vector<std::optional<Edge>> edges_;           ///< by the pixel that owns it
+  std::vector<std::optional<Vec2f>> right_, above_;  ///< creases towards these neighbours
+  std::vector<std::vector<Segment>> segments_;       ///< by the lower left pixel of its square
+};
+
+}  // namespace
+
+bool isStep(const Layer& p, const Layer& q, float tolerance)
+{
+  const Vec3f way = q.point.position - p.point.position;
+  const float beforeP = dot(p.normal, way), beforeQ = dot(q.normal, way * -1.0f);
+  return std::max(std::fabs(beforeP), std::fabs(beforeQ)) > tolerance &&
+         std::max(beforeP, beforeQ) > 0;
+}
+
+float toleranceAt(const Scene& scene, const Layer& p)
+{
+  const float pixels = scene.instances[p.instance].style.imageOutline.depthTolerance;
+  return pixels * p.point.pixel + p.point.rounding;
+}
+
+void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
+{
+  Outlines(scene, frame, layers).draw();
+}
+
+}  // namespace limn::reference

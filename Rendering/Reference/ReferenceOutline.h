@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/FrameView.h"
+#include "Rendering/Scene.h"
+#include "Rendering/Vertex/ScreenToView.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace limn::reference {
+
+/// What a pixel shows of the surface that its nearest sample lies on.
+struct Layer {
+  std::uint32_t instance = kNobody;  ///< place in Scene::instances; kNobody: nothing is shown
+  Vec2f place;                       ///< of the nearest sample; pixels
+  ViewPoint point;
+  Vec3f normal;
+  int count, shared;  ///< samples that show it, and samples that the pixel's colour is the mean of
+  Rgba8 color;        ///< mean of those that show it
+  Vec3f radiance;     ///< likewise
+};
+
+/// Whether two points lie on different surfaces of one instance: one is off the other's plane by
+/// more than the tolerance, and not behind both.
+bool isStep(const Layer& p, const Layer& q, float tolerance);
+/// What of a step at a layer is too little to be one.
+float toleranceAt(const Scene& scene, const Layer& p);
+
+/// Draws the lines of Style::imageOutline, pixel after pixel. `layers` are those of all pixels, row
+/// by row.
+void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers);
+
+}  // namespace limn::reference
