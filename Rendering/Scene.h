@@ -114,9 +114,11 @@ enum class Reflection : std::uint8_t {
   kMetallicRoughnessAsVtk,
 };
 
-/// How a tone treats colours that come from data: bytes of Attributes, which are sRGB, as the
-/// user's legend shows them. k_d, bounded to 0 ... 1, is that colour; d is l.n, turned round by
-/// Tone::kGoochChapter. All but kClassic add no highlight, which no legend has.
+/// How a tone treats colours that come from data, by Attributes or by a texture of
+/// TextureLayer::isData. Their bytes are sRGB, as the user's legend shows them. k_d, bounded to 0
+/// ... 1, is that colour; d is l.n, or 2 t - 1 with Style::toonBands, turned round by
+/// Tone::kGoochChapter. All but kClassic add no highlight, which no legend has, and leave out the
+/// stripes of kMetal; kRamp and kMatCap are classic.
 enum class ToneOverData : std::uint8_t {
   kClassic,  ///< as a tone treats any k_d
   /// (1 - sigma) k_d + sigma t, where t is the tone of a grey surface, k_d = 1/2.
@@ -175,7 +177,7 @@ struct Style {
   /// interpolated, so that a step is as wide as a triangle. There, and where a surface shader asks
   /// for light, edges are hard.
   int toonBands = 0;
-  ToneOverData toneOverData = ToneOverData::kClassic;  ///< where Attributes has colours
+  ToneOverData toneOverData = ToneOverData::kClassic;  ///< where there are colours of data
   float undertone = 0.25f;                             ///< sigma, 0 to 1
   float legendSafeRange = 12;                          ///< w, 0 to 100
   /// Pixels with |n.v| below this get outlineColor (figure 12.15); 0 draws no outline.
@@ -269,8 +271,10 @@ struct Instance {
   /// Whether a tone finds colours of data that it does not treat classically.
   bool tonesData() const
   {
-    return style.toneOverData != ToneOverData::kClassic &&
-           !(attributes.vertexColors.empty() && attributes.cellColors.empty());
+    if (style.toneOverData == ToneOverData::kClassic) return false;
+    for (const TextureLayer& layer : layers)
+      if (layer.isData) return true;
+    return !(attributes.vertexColors.empty() && attributes.cellColors.empty());
   }
   bool isTranslucent() const
   {

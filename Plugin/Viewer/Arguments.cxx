@@ -62,6 +62,23 @@ void requireColoringArray(const ColoringSettings& coloring)
   }
 }
 
+void checkToneOverData(const MaterialSettings& material)
+{
+  const auto over = material.toneOverData.value_or(ToneOverData::Classic);
+  if (material.tone == Tone::None && material.toneOverData)
+  {
+    throw UserError("--tone-over-data needs a tone; add --tone=gooch");
+  }
+  if (material.undertone && over != ToneOverData::Undertone)
+  {
+    throw UserError("--undertone needs --tone-over-data=undertone");
+  }
+  if (material.legendSafeRange && over != ToneOverData::LegendSafe)
+  {
+    throw UserError("--legend-safe-range needs --tone-over-data=legend-safe");
+  }
+}
+
 /// For a picture alone: in a window keys choose tone and outline.
 void checkIllustration(const MaterialSettings& material)
 {
@@ -70,6 +87,7 @@ void checkIllustration(const MaterialSettings& material)
     throw UserError(std::string(material.cool ? "--cool" : "--warm") +
                     " needs a tone; add --tone=gooch or --tone=gooch-chapter");
   }
+  checkToneOverData(material);
   if (material.outline == Outline::None && material.outlineColor)
   {
     throw UserError("--outline-color needs --outline=normal");
@@ -225,20 +243,38 @@ void checkScene(const SceneSettings& scene, const std::string& verb)
   checkCamera(scene.camera);
 }
 
-void checkOutput(const std::string& output)
+void requirePng(const std::string& option, const std::string& file)
 {
-  if (output.empty())
-  {
-    throw UserError("no output is named; add --output=FILE.png");
-  }
-  std::filesystem::path path = output;
+  std::filesystem::path path = file;
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
   if (extension != ".png")
   {
-    throw UserError("--output=" + output + " is not a PNG file; name it " +
+    throw UserError(option + "=" + file + " is not a PNG file; name it " +
                     path.replace_extension(".png").string());
+  }
+}
+
+void checkOutput(const RenderSettings& settings)
+{
+  if (settings.output.empty())
+  {
+    throw UserError("no output is named; add --output=FILE.png");
+  }
+  requirePng("--output", settings.output);
+  if (settings.toneLegend.empty())
+  {
+    return;
+  }
+  requirePng("--tone-legend", settings.toneLegend);
+  if (settings.scene.material.tone == Tone::None || settings.scene.coloring.array.empty())
+  {
+    refuseWithout("--tone-legend", "a tone and --coloring-array=NAME");
+  }
+  if (settings.toneLegend == settings.output)
+  {
+    throw UserError("--tone-legend and --output are the same file; name two");
   }
 }
 
@@ -254,6 +290,10 @@ Request parseRender(const Arguments& arguments)
   options.add("--output", "FILE.png", "written whole or not at all",
     [&](const std::string&, const std::string& text) { settings.output = text; });
   addSceneOptions(options, scene);
+  options.add("--tone-legend", "FILE.png",
+    "the colours of --coloring-array as drawn: values from\nleft to right, from averted to facing "
+    "upwards",
+    [&](const std::string&, const std::string& text) { settings.toneLegend = text; });
   options.add("--background-color", "r,g,b", "(0.94,0.95,0.97)",
     [&](const std::string& option, const std::string& text)
     { background = parseColor(option, text); });
@@ -275,7 +315,7 @@ Request parseRender(const Arguments& arguments)
   checkEffects(settings);
   checkReflection(scene.material);
   checkTextures(scene.texture);
-  checkOutput(settings.output);
+  checkOutput(settings);
   if (background && settings.transparentBackground)
   {
     throw UserError("--background-color and --no-background exclude each other; give one");

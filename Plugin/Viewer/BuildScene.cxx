@@ -134,9 +134,31 @@ int toneOf(Tone tone)
   return vtkLimnProperty::TONE_NONE;
 }
 
+int toneOverDataOf(ToneOverData tone)
+{
+  switch (tone)
+  {
+    case ToneOverData::Undertone:
+      return vtkLimnProperty::DATA_TONE_UNDERTONE;
+    case ToneOverData::LegendSafe:
+      return vtkLimnProperty::DATA_TONE_LEGEND_SAFE;
+    case ToneOverData::Classic:
+      break;
+  }
+  return vtkLimnProperty::DATA_TONE_CLASSIC;
+}
+
+void setToneOverData(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  property.SetToneOverData(toneOverDataOf(material.toneOverData.value_or(ToneOverData::Classic)));
+  property.SetUndertone(material.undertone.value_or(property.GetUndertone()));
+  property.SetLegendSafeRange(material.legendSafeRange.value_or(property.GetLegendSafeRange()));
+}
+
 void setIllustration(const MaterialSettings& material, vtkLimnProperty& property)
 {
   property.SetTone(toneOf(material.tone));
+  setToneOverData(material, property);
   if (material.cool)
   {
     property.SetCoolColor(material.cool->data());

@@ -42,6 +42,13 @@ const Choices<Tone>& tones()
   return choices;
 }
 
+const Choices<ToneOverData>& tonesOverData()
+{
+  static const Choices<ToneOverData> choices = { { "classic", ToneOverData::Classic },
+    { "undertone", ToneOverData::Undertone }, { "legend-safe", ToneOverData::LegendSafe } };
+  return choices;
+}
+
 const Choices<Outline>& outlines()
 {
   static const Choices<Outline> choices = { { "none", Outline::None },

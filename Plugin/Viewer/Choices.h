@@ -16,6 +16,7 @@ const Choices<FlatPoint>& flatPoints();
 const Choices<Normals>& normalSources();
 const Choices<Reflection>& reflections();
 const Choices<Tone>& tones();
+const Choices<ToneOverData>& tonesOverData();
 const Choices<Outline>& outlines();
 const Choices<TextureFilter>& textureFilters();
 const Choices<TextureWrap>& textureWraps();

@@ -4,12 +4,15 @@
 
 #include "ApplyEffects.h"
 #include "BuildScene.h"
+#include "Colormap.h"
 #include "LoadMesh.h"
 #include "Messages.h"
 #include "OpenWindow.h"
 #include "Picture.h"
 
 #include "vtkLimnEngine.h"
+#include "vtkLimnProperty.h"
+#include "vtkLimnToneLegend.h"
 
 #include <vtkNew.h>
 #include <vtkWindowToImageFilter.h>
@@ -74,6 +77,20 @@ vtkSmartPointer<vtkImageData> drawPicture(
   return grabber->GetOutput();
 }
 
+/// Of colours by an array.
+void writeToneLegend(const SceneSettings& scene, const std::string& file)
+{
+  const std::string colormap = scene.coloring.colormap.value_or(kDefaultColormap);
+  vtkNew<vtkLimnProperty> property;
+  applyMaterial(scene.material, *property);
+  vtkNew<vtkLimnToneLegend> legend;
+  legend->SetLookupTable(makeColormap(colormap, { 0, 1 }));
+  legend->SetSurfaceProperty(property);
+  vtkImageData* const picture = legend->GetImage();
+  throwCollectedErrors();
+  writePicture(*picture, file);
+}
+
 int threadsInUse()
 {
   const int threads = vtkLimnEngine::GetNumberOfThreads();
@@ -103,6 +120,10 @@ ExitStatus render(const RenderSettings& settings)
 {
   preferWindow(settings.window);
   checkWritable(settings.output);
+  if (!settings.toneLegend.empty())
+  {
+    checkWritable(settings.toneLegend);
+  }
 
   Times times;
   const Stopwatch reading;
@@ -115,6 +136,10 @@ ExitStatus render(const RenderSettings& settings)
 
   const Stopwatch writing;
   writePicture(*picture, settings.output);
+  if (!settings.toneLegend.empty())
+  {
+    writeToneLegend(settings.scene, settings.toneLegend);
+  }
   times.write = writing.milliseconds();
   if (settings.stats)
   {

@@ -54,6 +54,13 @@ enum class Tone
   GoochChapter
 };
 
+enum class ToneOverData
+{
+  Classic,
+  Undertone,
+  LegendSafe
+};
+
 enum class Outline
 {
   None,
@@ -192,6 +199,9 @@ struct MaterialSettings
   std::optional<double> featureAngleDegrees; ///< 0 to 180; no sharp edges if not given
   std::optional<Reflection> reflection;      ///< kDefaultReflection if not given
   Tone tone = Tone::None;
+  std::optional<ToneOverData> toneOverData; ///< classic if not given
+  std::optional<double> undertone;          ///< 0 to 1; the property's default if not given
+  std::optional<double> legendSafeRange;    ///< 0 to 100; the property's default if not given
   Outline outline = Outline::None;
   std::optional<Color> outlineColor; ///< black if not given
   bool backfaceCulling = false;
@@ -246,6 +256,7 @@ struct RenderSettings
   SceneSettings scene;
   EffectSettings effects;
   std::string output;
+  std::string toneLegend; ///< a file; empty: none
   bool transparentBackground = false;
   Window window = Window::Cpu;
   bool stats = false;

@@ -73,6 +73,16 @@ double parseShare(Text option, Text text)
   return share;
 }
 
+double parseLightness(Text option, Text text)
+{
+  const double lightness = parseNumber(option, text);
+  if (lightness < 0 || lightness > 100)
+  {
+    throw UserError(option + "=" + text + " is not from 0 to 100");
+  }
+  return lightness;
+}
+
 Color parseRefractiveIndex(Text option, Text text)
 {
   const bool isOne = text.find(',') == std::string::npos;
@@ -170,6 +180,14 @@ void addIllustration(OptionList& options, MaterialSettings& material)
   options.add("--cool", "r,g,b", "k_cool (0,0,0.4 + 0.2 k_d)", into(material.cool, parseIntensity));
   options.add(
     "--warm", "r,g,b", "k_warm (0.4,0.4,0 + 0.6 k_d)", into(material.warm, parseIntensity));
+  options.add("--tone-over-data", "name",
+    "with colours of an array or of the mesh: classic (as\n"
+    "k_d), undertone (the tone mixed in), legend-safe\n(lightness alone moves) (classic)",
+    choose(material.toneOverData, tonesOverData()));
+  options.add("--undertone", "share", "of the tone in undertone, 0 to 1 (0.25)",
+    into(material.undertone, parseShare));
+  options.add("--legend-safe-range", "w", "of legend-safe: L* moves by w l.n, 0 to 100 (12)",
+    into(material.legendSafeRange, parseLightness));
   options.add("--outline", "name", "none, normal (where the surface turns away) (none)",
     choose(material.outline, outlines(), { "hull", "image" }));
   options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));

@@ -77,6 +77,13 @@ const char* vtkLimnProperty::GetToneAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetToneOverDataAsString()
+{
+  static const char* const names[] = { "Classic", "Undertone", "LegendSafe" };
+  return names[this->ToneOverData];
+}
+
+//------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetOutlineAsString()
 {
   static const char* const names[] = { "None", "Normal" };
@@ -152,6 +159,9 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetWarmColor(other->WarmColor);
   this->SetCoolSurface(other->CoolSurface);
   this->SetWarmSurface(other->WarmSurface);
+  this->SetToneOverData(other->ToneOverData);
+  this->SetUndertone(other->Undertone);
+  this->SetLegendSafeRange(other->LegendSafeRange);
   this->SetOutline(other->Outline);
   this->SetOutlineThreshold(other->OutlineThreshold);
   this->SetOutlineWidth(other->OutlineWidth);
@@ -196,6 +206,9 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   PrintVector(os, "WarmColor", this->WarmColor);
   os << indent << "CoolSurface: " << this->CoolSurface << "\n";
   os << indent << "WarmSurface: " << this->WarmSurface << "\n";
+  os << indent << "ToneOverData: " << this->GetToneOverDataAsString() << "\n";
+  os << indent << "Undertone: " << this->Undertone << "\n";
+  os << indent << "LegendSafeRange: " << this->LegendSafeRange << "\n";
   os << indent << "Outline: " << this->GetOutlineAsString() << "\n";
   os << indent << "OutlineThreshold: " << this->OutlineThreshold << "\n";
   os << indent << "OutlineWidth: " << this->OutlineWidth << "\n";

@@ -230,6 +230,38 @@ public:
   vtkGetMacro(WarmSurface, double);
   ///@}
 
+  enum TonesOverData
+  {
+    DATA_TONE_CLASSIC = 0,
+    DATA_TONE_UNDERTONE,
+    DATA_TONE_LEGEND_SAFE
+  };
+
+  ///@{
+  /**
+   * What a Tone does with colours that the mapper makes of scalars. Classic, the default: what it
+   * does with any other k_d, so that the legend no longer shows them. Undertone mixes the tone of a
+   * grey surface into them, by the share Undertone (0 to 1; default: 0.25). LegendSafe moves their
+   * lightness alone, L* of CIELAB, from -LegendSafeRange where the surface turns away from the
+   * light to +LegendSafeRange where it faces it (0 to 100; default: 12); where the screen has no
+   * such colour, by less, and not at all for pure red, green or blue. Neither adds a highlight.
+   * Colours are taken to be sRGB.
+   *
+   * @sa
+   * vtkLimnToneLegend, which shows the colours that are drawn, and finds how far they can be read
+   */
+  vtkSetClampMacro(ToneOverData, int, DATA_TONE_CLASSIC, DATA_TONE_LEGEND_SAFE);
+  vtkGetMacro(ToneOverData, int);
+  void SetToneOverDataToClassic() { this->SetToneOverData(DATA_TONE_CLASSIC); }
+  void SetToneOverDataToUndertone() { this->SetToneOverData(DATA_TONE_UNDERTONE); }
+  void SetToneOverDataToLegendSafe() { this->SetToneOverData(DATA_TONE_LEGEND_SAFE); }
+  const char* GetToneOverDataAsString();
+  vtkSetClampMacro(Undertone, double, 0.0, 1.0);
+  vtkGetMacro(Undertone, double);
+  vtkSetClampMacro(LegendSafeRange, double, 0.0, 100.0);
+  vtkGetMacro(LegendSafeRange, double);
+  ///@}
+
   enum Outlines
   {
     OUTLINE_NONE = 0,
@@ -446,6 +478,9 @@ protected:
   double CoolColor[3] = { 0.0, 0.0, 0.4 };
   double WarmColor[3] = { 0.4, 0.4, 0.0 };
   double CoolSurface = 0.2;
+  int ToneOverData = DATA_TONE_CLASSIC;
+  double Undertone = 0.25;
+  double LegendSafeRange = 12;
   double WarmSurface = 0.6;
   int Outline = OUTLINE_NONE;
   double OutlineThreshold = 0.2;

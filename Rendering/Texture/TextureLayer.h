@@ -62,6 +62,7 @@ struct TextureLayer {
   /// kLight: t times this; kNormal: its x and y; kBump: the heights.
   float amount = 1;
   bool onBackFaces = true;  ///< false: surfaces seen from inside are drawn without
+  bool isData = false;      ///< its colours are data's, for Style::toneOverData
 
   bool readsUv() const { return image != nullptr || procedural->space == ProceduralSpace::kUv; }
   /// Whether it reads the derivatives of uv.

@@ -313,6 +313,49 @@ TEST(Arguments, PictureAndColoringAreRead)
   EXPECT_EQ(parseRender({ "--background-color=1,0,0.5" }).scene.background, (Color{ 1, 0, 0.5 }));
 }
 
+TEST(Arguments, TonesOverDataAndTheirNumbers)
+{
+  const MaterialSettings none = parseRender({ "--tone=gooch" }).scene.material;
+  EXPECT_FALSE(none.toneOverData || none.undertone || none.legendSafeRange);
+  const MaterialSettings undertone =
+    parseRender({ "--tone=gooch", "--tone-over-data=undertone", "--undertone=0.12" })
+      .scene.material;
+  EXPECT_EQ(undertone.toneOverData, ToneOverData::Undertone);
+  EXPECT_EQ(undertone.undertone, 0.12);
+  const RenderSettings safe = parseRender({ "--tone=gooch-chapter", "--tone-over-data=legend-safe",
+    "--legend-safe-range=6", "--coloring-array=height", "--tone-legend=legend.png" });
+  EXPECT_EQ(safe.scene.material.toneOverData, ToneOverData::LegendSafe);
+  EXPECT_EQ(safe.scene.material.legendSafeRange, 6);
+  EXPECT_EQ(safe.toneLegend, "legend.png");
+  EXPECT_EQ(parseRender({ "--tone=gooch", "--tone-over-data=classic" }).scene.material.toneOverData,
+    ToneOverData::Classic);
+}
+
+TEST(Arguments, TonesOverDataThatWouldNotShowAreErrors)
+{
+  const std::pair<std::vector<std::string>, std::string> cases[] = {
+    { { "--tone-over-data=undertone" }, "--tone-over-data needs a tone; add --tone=gooch" },
+    { { "--tone=gooch", "--undertone=0.2" }, "--undertone needs --tone-over-data=undertone" },
+    { { "--tone=gooch", "--tone-over-data=undertone", "--legend-safe-range=3" },
+      "--legend-safe-range needs --tone-over-data=legend-safe" },
+    { { "--tone=gooch", "--tone-over-data=safe" },
+      "--tone-over-data=safe is unknown; choose one of: classic, undertone, legend-safe" },
+    { { "--undertone=1.5" }, "--undertone=1.5 is not from 0 to 1" },
+    { { "--legend-safe-range=-1" }, "--legend-safe-range=-1 is not from 0 to 100" },
+    { { "--legend-safe-range=nan" }, "--legend-safe-range=nan is not a finite number, as in --legend-safe-range=1.5" },
+    { { "--tone=gooch", "--tone-legend=a.png" },
+      "--tone-legend needs a tone and --coloring-array=NAME" },
+    { { "--coloring-array=a", "--tone-legend=a.png" },
+      "--tone-legend needs a tone and --coloring-array=NAME" },
+    { { "--tone=gooch", "--coloring-array=a", "--tone-legend=a.jpg" },
+      "--tone-legend=a.jpg is not a PNG file; name it a.png" },
+  };
+  for (const auto& [arguments, message] : cases)
+  {
+    EXPECT_EQ(renderErrorOf(arguments), message);
+  }
+}
+
 TEST(Arguments, UnknownOptionsAreNamedWithTheHelpToRead)
 {
   EXPECT_EQ(renderErrorOf({ "--foo" }), "unknown option --foo; see \"limn help render\"");

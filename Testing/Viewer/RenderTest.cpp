@@ -52,6 +52,24 @@ TEST_F(Render, WithoutBackgroundThePictureHasAlpha)
   EXPECT_EQ(pngHeader(output_).channels, 4);
 }
 
+TEST_F(Render, TheToneLegendIsAPictureOfItsOwn)
+{
+  const Words options = { "--coloring-array=height", "--tone=gooch",
+    "--tone-over-data=legend-safe" };
+  const std::string alone = draw("waves.vtp", options);
+  Words both = options;
+  both.push_back("--tone-legend=" + folder_.file("legend.png"));
+  EXPECT_EQ(draw("waves.vtp", both), alone);
+  const PngHeader header = pngHeader(folder_.file("legend.png"));
+  EXPECT_EQ(header.width, 256);
+  EXPECT_EQ(header.height, 64);
+  EXPECT_EQ(folder_.names(), (Words{ "legend.png", "out.png" }));
+  const std::string viridis = bytesOf(folder_.file("legend.png"));
+  both.push_back("--colormap=cool-warm");
+  draw("waves.vtp", both);
+  EXPECT_NE(bytesOf(folder_.file("legend.png")), viridis);
+}
+
 TEST_F(Render, TheBytesDependOnTheSceneOnly)
 {
   const Words options = { "--tone=gooch", "--light=directional:-1,-1,-1:1,1,1" };

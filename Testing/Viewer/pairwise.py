@@ -37,6 +37,8 @@ CHOICES = {
         # In place of a reflection: most options of those exclude a tone.
         ["--tone=gooch"],
         ["--tone=gooch-chapter"],
+        ["--tone=gooch", "--tone-over-data=undertone"],
+        ["--tone=gooch", "--tone-over-data=legend-safe", "--legend-safe-range=20"],
     ],
     "texture": [
         [],

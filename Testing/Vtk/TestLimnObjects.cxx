@@ -108,6 +108,9 @@ void checkPropertyCopy()
   property->SetWarmColor(0.4, 0.5, 0.6);
   property->SetCoolSurface(0.7);
   property->SetWarmSurface(0.8);
+  property->SetToneOverDataToLegendSafe();
+  property->SetUndertone(0.15);
+  property->SetLegendSafeRange(9);
   property->SetOutlineToNormal();
   property->SetOutlineThreshold(0.9);
   property->SetOutlineColor(1, 0, 1);

@@ -11,6 +11,7 @@
 #include "vtkLimnProperty.h"
 #include "vtkLimnRenderWindow.h"
 #include "vtkLimnRenderer.h"
+#include "vtkLimnToneLegend.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCameraPass.h"
@@ -18,7 +19,9 @@
 #include "vtkConeSource.h"
 #include "vtkElevationFilter.h"
 #include "vtkFXAAOptions.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
+#include "vtkLookupTable.h"
 #include "vtkPointDataToCellData.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkRenderStepsPass.h"
@@ -445,6 +448,48 @@ TEST(LimnInGLWindow, ChangesBetweenLimnAndFallback)
 }
 
 // A frame from another side draws from what the first one prepared.
+TEST(LimnInGLWindow, ShowsTheToneLegend)
+{
+  GLScene scene(0);
+  vtkNew<vtkLookupTable> table;
+  table->Build();
+  vtkNew<vtkLimnProperty> property;
+  property->SetToneToGooch();
+  property->SetToneOverDataToUndertone();
+  vtkNew<vtkLimnToneLegend> legend;
+  legend->SetLookupTable(table);
+  legend->SetSurfaceProperty(property);
+  legend->SetNumberOfValues(16);
+  legend->SetNumberOfTones(8);
+  legend->GetPositionCoordinate()->SetCoordinateSystemToViewport();
+  legend->SetPosition(10, 20);
+  legend->GetPosition2Coordinate()->SetCoordinateSystemToViewport();
+  legend->SetPosition2(160, 80);
+  scene.Renderer->AddActor2D(legend);
+  const auto isShown = [&]
+  {
+    const Picture picture = scene.Render();
+    vtkImageData* const image = legend->GetImage();
+    int wrong = 0;
+    for (int row = 0; row < 8; ++row)
+    {
+      for (int column = 0; column < 16; ++column)
+      {
+        const auto* const own =
+          static_cast<const unsigned char*>(image->GetScalarPointer(column, row, 0));
+        wrong += !std::equal(own, own + 3, picture.At(15 + 10 * column, 25 + 10 * row));
+      }
+    }
+    const unsigned char* const background = picture.At(190, 150);
+    wrong += !std::equal(background, background + 3, picture.At(8, 25));
+    wrong += !std::equal(background, background + 3, picture.At(172, 98));
+    return wrong == 0;
+  };
+  EXPECT_TRUE(isShown());
+  property->SetToneOverDataToClassic();
+  EXPECT_TRUE(isShown());
+}
+
 TEST(LimnInGLWindow, PreparesGeometryOnce)
 {
   GLScene scene(4);

@@ -126,6 +126,19 @@ Tone toTone(int tone)
   }
 }
 
+ToneOverData toToneOverData(int tone)
+{
+  switch (tone)
+  {
+    case vtkLimnProperty::DATA_TONE_UNDERTONE:
+      return ToneOverData::kUndertone;
+    case vtkLimnProperty::DATA_TONE_LEGEND_SAFE:
+      return ToneOverData::kLegendSafe;
+    default:
+      return ToneOverData::kClassic;
+  }
+}
+
 void setIllustration(vtkLimnProperty* property, Style& style)
 {
   style.reflection = toReflection(property->GetReflectionModel());
@@ -137,6 +150,9 @@ void setIllustration(vtkLimnProperty* property, Style& style)
   style.toneWarm = toVec3f(property->GetWarmColor());
   style.coolSurface = static_cast<float>(property->GetCoolSurface());
   style.warmSurface = static_cast<float>(property->GetWarmSurface());
+  style.toneOverData = toToneOverData(property->GetToneOverData());
+  style.undertone = static_cast<float>(property->GetUndertone());
+  style.legendSafeRange = static_cast<float>(property->GetLegendSafeRange());
   style.outlineWidth = static_cast<float>(property->GetOutlineWidth());
   style.outlineColor = toVec3f(property->GetOutlineColor());
   style.outlineOpacity = static_cast<float>(property->GetOutlineOpacity());
@@ -265,6 +281,8 @@ std::string unusableValueOf(vtkProperty* property)
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
   const double none[3] = { 1, 1, 1 };
   const double rimPower = limn ? limn->GetRimPower() : 1;
+  const double undertone = limn ? limn->GetUndertone() : 0;
+  const double legendSafeRange = limn ? limn->GetLegendSafeRange() : 0;
   const double outlineWidth = limn ? limn->GetOutlineWidth() : 1;
   const double outlineOpacity = limn ? limn->GetOutlineOpacity() : 1;
   const Values all[] = {
@@ -282,6 +300,8 @@ std::string unusableValueOf(vtkProperty* property)
     { "BaseIOR", { &index, 1 }, 1 },
     { "RimColor", { limn ? limn->GetRimColor() : none, 3 } },
     { "RimPower", { &rimPower, 1 } },
+    { "Undertone", { &undertone, 1 } },
+    { "LegendSafeRange", { &legendSafeRange, 1 } },
     { "OutlineWidth", { &outlineWidth, 1 } },
     { "OutlineOpacity", { &outlineOpacity, 1 } },
     { "RefractiveIndex", { limn ? limn->GetRefractiveIndex() : none, 3 }, 1 },

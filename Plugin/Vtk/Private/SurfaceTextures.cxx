@@ -113,6 +113,7 @@ public:
     TextureLayer layer;
     layer.role = TextureRole::kSurface;
     layer.mode = TextureMode::kReplace;
+    layer.isData = true;
     layer.image = &kept_.colors.image();
     layer.sampler.filter = TextureFilter::kNearest;
     layer.sampler.wrapU = layer.sampler.wrapV = TextureWrap::kClamp;
