@@ -1,0 +1,335 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Mesh/Curvature.h"
+
+#include "Rendering/Base/Executor.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace limn {
+namespace {
+
+constexpr std::size_t kPerTask = 4096;
+
+template <class Body>
+void forEach(int threads, std::size_t count, const Body& body)
+{
+  parallelFor(threads, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
+    const std::size_t end = std::min(count, (task + 1) * kPerTask);
+    for (std::size_t i = task * kPerTask; i < end; ++i)
+      body(i);
+  });
+}
+
+/// Two unit vectors that span a plane.
+struct Frame {
+  Vec3d u, v;
+
+  Vec3d normal() const { return cross(u, v); }
+};
+
+/// The frame turned the shortest way, so that its normal becomes `normal`.
+Frame turned(const Frame& frame, Vec3d normal)
+{
+  const Vec3d old = frame.normal();
+  const double cosine = dot(old, normal);
+  if (cosine <= -1) return {-frame.u, -frame.v};
+  // What lies along the part of the new normal in the old plane is turned, the rest stays.
+  const Vec3d aside = normal - old * cosine;
+  const Vec3d change = (old + normal) * (1.0 / (1.0 + cosine));
+  return {frame.u - change * dot(frame.u, aside), frame.v - change * dot(frame.v, aside)};
+}
+
+/// e, f, g of the symmetric tensor ((e, f), (f, g)) in some frame.
+using Tensor = std::array<double, 3>;
+/// Derivative of a tensor, symmetric in three indices: uuu, uuv, uvv, vvv.
+using TensorSlope = std::array<double, 4>;
+
+Tensor inFrame(const Tensor& t, const Frame& from, const Frame& to)
+{
+  const Frame in = turned(to, from.normal());
+  const double u1 = dot(in.u, from.u), v1 = dot(in.u, from.v);
+  const double u2 = dot(in.v, from.u), v2 = dot(in.v, from.v);
+  return {t[0] * u1 * u1 + t[1] * (2 * u1 * v1) + t[2] * v1 * v1,
+          t[0] * u1 * u2 + t[1] * (u1 * v2 + u2 * v1) + t[2] * v1 * v2,
+          t[0] * u2 * u2 + t[1] * (2 * u2 * v2) + t[2] * v2 * v2};
+}
+
+TensorSlope inFrame(const TensorSlope& s, const Frame& from, const Frame& to)
+{
+  const Frame in = turned(to, from.normal());
+  const double u1 = dot(in.u, from.u), v1 = dot(in.u, from.v);
+  const double u2 = dot(in.v, from.u), v2 = dot(in.v, from.v);
+  return {
+      s[0] * u1 * u1 * u1 + s[1] * 3 * u1 * u1 * v1 + s[2] * 3 * u1 * v1 * v1 + s[3] * v1 * v1 * v1,
+      s[0] * u1 * u1 * u2 + s[1] * (u1 * u1 * v2 + 2 * u2 * u1 * v1) +
+          s[2] * (u2 * v1 * v1 + 2 * u1 * v1 * v2) + s[3] * v1 * v1 * v2,
+      s[0] * u1 * u2 * u2 + s[1] * (u2 * u2 * v1 + 2 * u1 * u2 * v2) +
+          s[2] * (u1 * v2 * v2 + 2 * u2 * v2 * v1) + s[3] * v1 * v2 * v2,
+      s[0] * u2 * u2 * u2 + s[1] * 3 * u2 * u2 * v2 + s[2] * 3 * u2 * v2 * v2 +
+          s[3] * v2 * v2 * v2};
+}
+
+/// Solves the symmetric system a x = b, which is positive where the equations settle all; zeros
+/// where they do not. By Gauss's elimination without pivots.
+template <std::size_t n>
+std::array<double, n> solved(std::array<std::array<double, n>, n> a, std::array<double, n> b)
+{
+  double largest = 0;
+  for (std::size_t i = 0; i < n; ++i)
+    largest = std::max(largest, a[i][i]);
+  for (std::size_t i = 0; i < n; ++i) {
+    constexpr double kTooSmall = 1e-12;
+    if (!(a[i][i] > kTooSmall * largest)) return {};
+    for (std::size_t r = i + 1; r < n; ++r) {
+      const double factor = a[r][i] / a[i][i];
+      for (std::size_t c = i; c < n; ++c)
+        a[r][c] -= factor * a[i][c];
+      b[r] -= factor * b[i];
+    }
+  }
+  std::array<double, n> x = {};
+  for (std::size_t i = n; i-- > 0;) {
+    double rest = b[i];
+    for (std::size_t c = i + 1; c < n; ++c)
+      rest -= a[i][c] * x[c];
+    x[i] = rest / a[i][i];
+  }
+  return x;
+}
+
+/// A triangle with its own frame.
+struct Face {
+  std::uint32_t vertex[3];
+  Vec3d edge[3];  ///< opposite to each vertex, from the next vertex to the one before
+  Frame frame;
+  double u[3], v[3];  ///< the edges in the frame
+  double share[3];    ///< of its area, nearest to each vertex
+};
+
+class CurvatureEstimator {
+ public:
+  CurvatureEstimator(const MeshView& mesh, Span<const Vec3f> normals, int threads)
+      : mesh_(mesh), normals_(normals), threads_(threads)
+  {
+    gatherFaces();
+  }
+
+  std::vector<VertexCurvature> estimate()
+  {
+    const std::size_t vertices = mesh_.vertexCount();
+    frames_.resize(vertices);
+    tensors_.assign(vertices, Tensor{});
+    std::vector<Tensor> ofFace(mesh_.triangles.size());
+    forEach(threads_, ofFace.size(), [&](std::size_t t) {
+      if (isProper_[t]) ofFace[t] = fit(t);
+    });
+    forEach(threads_, vertices, [&](std::size_t v) {
+      frames_[v] = firstFrame(v);
+      tensors_[v] = mean<Tensor>(v, ofFace);
+      turnToPrincipal(v);
+    });
+    std::vector<TensorSlope> slopeOfFace(mesh_.triangles.size());
+    forEach(threads_, slopeOfFace.size(), [&](std::size_t t) {
+      if (isProper_[t]) slopeOfFace[t] = fitSlope(t);
+    });
+    std::vector<VertexCurvature> result(vertices);
+    forEach(threads_, vertices, [&](std::size_t v) {
+      const TensorSlope slope = mean<TensorSlope>(v, slopeOfFace);
+      VertexCurvature& out = result[v];
+      out.direction[0] = vec3Cast<float>(frames_[v].u);
+      out.direction[1] = vec3Cast<float>(frames_[v].v);
+      out.curvature[0] = static_cast<float>(tensors_[v][0]);
+      out.curvature[1] = static_cast<float>(tensors_[v][2]);
+      for (std::size_t i = 0; i < 4; ++i)
+        out.derivative[i] = static_cast<float>(slope[i]);
+    });
+    return result;
+  }
+
+ private:
+  void gatherFaces()
+  {
+    const std::size_t triangles = mesh_.triangles.size(), vertices = mesh_.vertexCount();
+    isProper_.assign(triangles, 0);
+    first_.assign(vertices + 1, 0);
+    forEach(threads_, triangles, [&](std::size_t t) { isProper_[t] = isProper(t) ? 1 : 0; });
+    for (std::size_t t = 0; t < triangles; ++t)
+      for (const std::uint32_t v : mesh_.triangles[t].vertex)
+        if (isProper_[t]) ++first_[v + 1];
+    for (std::size_t v = 0; v < vertices; ++v)
+      first_[v + 1] += first_[v];
+    face_.resize(first_.back());
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t t = 0; t < triangles; ++t)
+      for (const std::uint32_t v : mesh_.triangles[t].vertex)
+        if (isProper_[t]) face_[next[v]++] = static_cast<std::uint32_t>(t);
+  }
+  bool isProper(std::size_t t) const
+  {
+    const auto [a, b, c] = mesh_.triangles[t].vertex;
+    const std::size_t count = mesh_.vertexCount();
+    if (a >= count || b >= count || c >= count) return false;
+    const Vec3d p = mesh_.position(a);
+    const Vec3d area = cross(mesh_.position(b) - p, mesh_.position(c) - p);
+    return isFinite(area) && dot(area, area) > 0;
+  }
+
+  Face faceOf(std::size_t t) const
+  {
+    Face face;
+    Vec3d p[3];
+    for (int i = 0; i < 3; ++i) {
+      face.vertex[i] = mesh_.triangles[t].vertex[i];
+      p[i] = mesh_.position(face.vertex[i]);
+    }
+    for (int i = 0; i < 3; ++i)
+      face.edge[i] = p[(i + 2) % 3] - p[(i + 1) % 3];
+    const Vec3d normal = normalized(cross(face.edge[0], face.edge[1]));
+    face.frame.u = normalized(face.edge[0]);
+    face.frame.v = cross(normal, face.frame.u);
+    for (int i = 0; i < 3; ++i) {
+      face.u[i] = dot(face.edge[i], face.frame.u);
+      face.v[i] = dot(face.edge[i], face.frame.v);
+    }
+    setShares(face);
+    return face;
+  }
+  /// Of acute triangles the part about the circumcentre; obtuse ones are cut at their sides'
+  /// middles.
+  static void setShares(Face& face)
+  {
+    const Vec3d doubleArea = cross(face.edge[0], face.edge[1]);
+    const double area = 0.5 * std::sqrt(dot(doubleArea, doubleArea));
+    double squared[3], weight[3];
+    for (int i = 0; i < 3; ++i)
+      squared[i] = dot(face.edge[i], face.edge[i]);
+    for (int i = 0; i < 3; ++i)
+      weight[i] = squared[i] * (squared[(i + 1) % 3] + squared[(i + 2) % 3] - squared[i]);
+    for (int i = 0; i < 3; ++i)
+      if (weight[i] <= 0) {
+        for (int k = 0; k < 3; ++k)
+          face.share[k] = k == i ? 0.5 * area : 0.25 * area;
+        return;
+      }
+    const double sum = weight[0] + weight[1] + weight[2];
+    for (int i = 0; i < 3; ++i)
+      face.share[i] = 0.5 * area * (weight[(i + 1) % 3] + weight[(i + 2) % 3]) / sum;
+  }
+
+  Vec3d normal(std::uint32_t v) const { return vec3Cast<double>(normals_[v]); }
+
+  Tensor fit(std::size_t t) const
+  {
+    const Face face = faceOf(t);
+    std::array<std::array<double, 3>, 3> a = {};
+    std::array<double, 3> b = {};
+    for (int i = 0; i < 3; ++i) {
+      const Vec3d change = normal(face.vertex[(i + 2) % 3]) - normal(face.vertex[(i + 1) % 3]);
+      const double du = dot(change, face.frame.u), dv = dot(change, face.frame.v);
+      const double u = face.u[i], v = face.v[i];
+      add<3>({u, v, 0}, du, a, b);
+      add<3>({0, u, v}, dv, a, b);
+    }
+    return solved<3>(a, b);
+  }
+  TensorSlope fitSlope(std::size_t t) const
+  {
+    const Face face = faceOf(t);
+    Tensor at[3];
+    for (int i = 0; i < 3; ++i)
+      at[i] = inFrame(tensors_[face.vertex[i]], frames_[face.vertex[i]], face.frame);
+    std::array<std::array<double, 4>, 4> a = {};
+    std::array<double, 4> b = {};
+    for (int i = 0; i < 3; ++i) {
+      const double u = face.u[i], v = face.v[i];
+      const Tensor &from = at[(i + 1) % 3], &to = at[(i + 2) % 3];
+      add<4>({u, v, 0, 0}, to[0] - from[0], a, b);
+      // f stands twice in the tensor.
+      add<4>({0, u, v, 0}, to[1] - from[1], a, b);
+      add<4>({0, u, v, 0}, to[1] - from[1], a, b);
+      add<4>({0, 0, u, v}, to[2] - from[2], a, b);
+    }
+    return solved<4>(a, b);
+  }
+  /// One equation of the least squares.
+  template <std::size_t n>
+  static void add(const std::array<double, n>& row, double right,
+                  std::array<std::array<double, n>, n>& a, std::array<double, n>& b)
+  {
+    for (std::size_t i = 0; i < n; ++i) {
+      for (std::size_t k = 0; k < n; ++k)
+        a[i][k] += row[i] * row[k];
+      b[i] += row[i] * right;
+    }
+  }
+
+  /// Any frame about the vertex' normal.
+  Frame firstFrame(std::size_t v) const
+  {
+    const Vec3d n = vec3Cast<double>(normals_[v]);
+    const bool isAlongX = std::fabs(n.x) > 0.7;
+    const Vec3d u = normalized(cross(n, isAlongX ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0}));
+    return {u, cross(n, u)};
+  }
+
+  template <class Quantity>
+  Quantity mean(std::size_t v, const std::vector<Quantity>& ofFace) const
+  {
+    Quantity sum = {};
+    double weight = 0;
+    for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i) {
+      const Face face = faceOf(face_[i]);
+      const Quantity here = inFrame(ofFace[face_[i]], face.frame, frames_[v]);
+      const int corner = face.vertex[0] == v ? 0 : face.vertex[1] == v ? 1 : 2;
+      for (std::size_t k = 0; k < sum.size(); ++k)
+        sum[k] += face.share[corner] * here[k];
+      weight += face.share[corner];
+    }
+    for (double& one : sum)
+      one = weight > 0 ? one / weight : 0.0;
+    return sum;
+  }
+
+  /// Makes the tensor diagonal, the larger curvature first.
+  void turnToPrincipal(std::size_t v)
+  {
+    Tensor& t = tensors_[v];
+    double c = 1, s = 0, tangent = 0;
+    if (t[1] != 0) {
+      const double h = 0.5 * (t[2] - t[0]) / t[1];
+      tangent = (h < 0 ? -1.0 : 1.0) / (std::fabs(h) + std::sqrt(1 + h * h));
+      c = 1 / std::sqrt(1 + tangent * tangent);
+      s = tangent * c;
+    }
+    double k1 = t[0] - tangent * t[1], k2 = t[2] + tangent * t[1];
+    Frame frame = {frames_[v].u * c - frames_[v].v * s, frames_[v].u * s + frames_[v].v * c};
+    if (std::fabs(k1) < std::fabs(k2)) {
+      std::swap(k1, k2);
+      frame = {frame.v, -frame.u};
+    }
+    t = {k1, 0, k2};
+    frames_[v] = frame;
+  }
+
+  const MeshView& mesh_;
+  Span<const Vec3f> normals_;
+  int threads_;
+  std::vector<char> isProper_;
+  std::vector<std::uint32_t> first_, face_;  ///< faces of each vertex
+  std::vector<Frame> frames_;
+  std::vector<Tensor> tensors_;
+};
+
+}  // namespace
+
+std::vector<VertexCurvature> vertexCurvature(const MeshView& mesh, Span<const Vec3f> normals,
+                                             int threads)
+{
+  return CurvatureEstimator(mesh, normals, threads).estimate();
+}
+
+}  // namespace limn
