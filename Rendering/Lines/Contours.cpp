@@ -64,8 +64,8 @@ class ContourFinder {
         table_(table),
         arrays_(arrays),
         facing_(mesh, camera, modelToWorld),
-        toView_(camera.worldToView * modelToWorld),
-        normalToView_(cofactor3(toView_))
+        isParallel_(camera.parallel),
+        eye_(eyeOf(camera.worldToView * modelToWorld, camera.parallel))
   {
   }
 
@@ -80,7 +80,9 @@ class ContourFinder {
         if (vertex >= mesh_.vertexCount()) continue;
         const std::uint32_t normal =
             isByCorner ? arrays_.normalOfCorner[i] : static_cast<std::uint32_t>(i);
-        front_[i] = slope(mesh_.position(vertex), unit(normal)) >= 0 ? 1 : 0;
+        front_[i] =
+            slope(mesh_.position(vertex), vec3Cast<double>(arrays_.vertexNormals[normal])) >= 0 ? 1
+                                                                                                : 0;
       }
     });
   }
@@ -137,12 +139,24 @@ class ContourFinder {
     return normalized(vec3Cast<double>(arrays_.vertexNormals[normal]));
   }
   Vec3d normal(const EdgeSide& side, int end) const { return unit(normalNumber(side.corner[end])); }
+  /// In the model's own space, where the normals are: the eye, or the direction to it.
+  static Vec3d eyeOf(const Mat4d& toView, bool isParallel)
+  {
+    const Mat4d cofactor = cofactor3(toView);
+    const double scale = 1.0 / determinant3(toView);
+    const Vec3d inView =
+        isParallel ? Vec3d{0, 0, 1} : Vec3d{-toView.m[0][3], -toView.m[1][3], -toView.m[2][3]};
+    const auto column = [&](int c) {
+      return ((cofactor.m[0][c] * inView.x + cofactor.m[1][c] * inView.y) +
+              cofactor.m[2][c] * inView.z) *
+             scale;
+    };
+    return {column(0), column(1), column(2)};
+  }
   /// n.v times lengths, above 0 in front.
   double slope(Vec3d position, Vec3d normal) const
   {
-    const Vec3d p = transformPoint(toView_, position);
-    const double value = dot(transformDirection(normalToView_, normal), facing_.towardEye(p));
-    return facing_.isMirrored() ? -value : value;
+    return dot(normal, isParallel_ ? eye_ : eye_ - position);
   }
 
   EdgeSide side(const MeshEdge& edge, int face) const
@@ -226,7 +240,8 @@ class ContourFinder {
   const EdgeTable& table_;
   const FeatureArrays& arrays_;
   Facing facing_;
-  Mat4d toView_, normalToView_;
+  bool isParallel_;
+  Vec3d eye_;
   std::vector<std::uint8_t> front_;
 };
 

@@ -26,7 +26,6 @@ class Facing {
   /// From a point in view space, of any length.
   Vec3d towardEye(Vec3d p) const { return isParallel_ ? Vec3d{0, 0, 1} : -p; }
 
-  bool isMirrored() const { return isMirrored_; }
   /// The outer side, by the winding; faces seen edge-on count as front.
   bool isFront(std::uint32_t triangle) const
   {
