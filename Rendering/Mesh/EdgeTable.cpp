@@ -158,7 +158,7 @@ class KindFinder {
     const Vec3d a = normalOf(edge.corner[0]), b = normalOf(edge.corner[1]);
     const double lengths = std::sqrt(dot(a, a)) * std::sqrt(dot(b, b));
     const double product = table_.isWoundAlike(mesh_, edge) ? dot(a, b) : -dot(a, b);
-    return lengths > 0 && product < cosine_ * lengths;
+    return product < cosine_ * lengths;  // not without an area
   }
 
   Vec3d vertexNormal(std::uint32_t corner) const

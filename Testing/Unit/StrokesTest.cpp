@@ -351,7 +351,7 @@ TEST_P(Strokes, LinesOnASurfaceAreWholeAndLinesBehindItGone)
                 out = {0, std::sin(slant), std::cos(slant)};
     const OwnedMesh sheet = testing::sheet(Vec3d{-1, 0, 0} - up, {2, 0, 0}, up * 2.0);
     for (const int samples : {1, 4})
-      for (const double offset : {0.0, -0.02}) {
+      for (const double offset : {0.0, -0.012}) {
         double covered = 0, whole = 0;
         for (int n = 0; n < 5; ++n) {
           const Vec3d a = Vec3d{-0.7, 0, 0} + up * (n * 0.3 - 0.6) + out * offset;
@@ -377,6 +377,28 @@ TEST_P(Strokes, LinesOnASurfaceAreWholeAndLinesBehindItGone)
   }
 }
 
+TEST_P(Strokes, SinglePixelsNeitherBreakALineNorShowAHiddenOne)
+{
+  Polylines line;
+  line.add({{10, 32.5, -2}, {54, 32.5, -2}});
+  const std::vector<LineSet> sets = {line.lines(redLine(1))};
+  Stage stage = testing::pixelStage(64, 1);
+  // Three pixels high, so that it hides what lies behind its middle.
+  const OwnedMesh post = testing::sheet({30, 30, -1}, {2, 0, 0}, {0, 5, 0});
+  stage.instances = {testing::painted(post, {0, 0, 1})};
+  stage.instances[0].lines = sets;
+  EXPECT_NEAR(redOf(drawn(stage)), 44, 0.1);
+  const OwnedMesh left = testing::sheet({0, 20, -1}, {30, 0, 0}, {0, 24, 0});
+  const OwnedMesh right = testing::sheet({31, 20, -1}, {30, 0, 0}, {0, 24, 0});
+  stage.instances = {testing::painted(left, {0, 0, 1}), testing::painted(right, {0, 0, 1})};
+  stage.instances[0].lines = sets;
+  EXPECT_LE(redOf(drawn(stage)), 3) << "a slit of one pixel shows no more than three";
+  const OwnedMesh wide = testing::sheet({31, 20, -1}, {20, 0, 0}, {0, 24, 0});
+  stage.instances = {testing::painted(wide, {0, 0, 1})};
+  stage.instances[0].lines = sets;
+  EXPECT_NEAR(redOf(drawn(stage)), 44 - 20, 3);
+}
+
 TEST_P(Strokes, DepthIsWrittenWhereALineCoversHalfOfAnEmptyPixel)
 {
   Stage stage = testing::pixelStage(64, 1);
@@ -397,7 +419,7 @@ TEST_P(Strokes, ApartFromTheBackgroundALineIsItsShareOfSamples)
 {
   Stage stage = testing::pixelStage(64, 4);
   Polylines line;
-  line.add({{10, 32.75, -3}, {54, 32.75, -3}});
+  line.add({{10, 32.7, -3}, {54, 32.7, -3}});  // 0.8 and 0.2 of a pixel
   const std::vector<LineSet> sets = {line.lines(redLine(1))};
   stage.instances = {testing::painted(nothing(), {0, 0, 1})};
   stage.instances[0].lines = sets;
