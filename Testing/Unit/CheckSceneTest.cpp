@@ -225,6 +225,8 @@ const Mistake kInstanceMistakes[] = {
      [](Input& i) { i.instance().style.outlineThreshold = kNan; }},
     {"OutlineColorNan", Error::kNotFinite, "style",
      [](Input& i) { i.instance().style.outlineColor.x = kNan; }},
+    {"OutlineWidthInfinite", Error::kNotFinite, "outline",
+     [](Input& i) { i.instance().style.outlineWidth = kInfinity; }},
     {"OutlineWidthNegative", Error::kNotFinite, "outline",
      [](Input& i) { i.instance().style.outlineWidth = -1; }},
     {"OutlineOpacityAboveOne", Error::kNotFinite, "outline",
@@ -254,6 +256,13 @@ const Mistake kInstanceMistakes[] = {
      [](Input& i) {
        giveRamp(i);
        i.instance().style.ramp.nearest = kNan;
+     }},
+    {"HullOfAnotherMesh", Error::kSizeMismatch, "buildHullEdges",
+     [](Input& i) { i.instance().hull = &i.mesh.hull; }},
+    {"HullColorNegative", Error::kNotFinite, "colour of its hull",
+     [](Input& i) {
+       EXPECT_TRUE(buildHullEdges(i.mesh.view(), 1, i.mesh.hull).ok());
+       i.instance().hull = &i.mesh.hull, i.instance().style.outlineColor.y = -1;
      }},
     {"CellsTooShort", Error::kSizeMismatch, "cells",
      [](Input& i) { i.instance().attributes.cells = shortened(i.instance().attributes.cells); }},

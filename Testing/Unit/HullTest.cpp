@@ -342,6 +342,51 @@ TEST_P(Hull, IsHiddenByWhatIsNearerAndHidesWhatIsFarther)
   }
 }
 
+TEST_P(Hull, IsNotCutWhereTheSolidReachesTheFarPlane)
+{
+  const Solid cube(box({1, 1, 1}));
+  for (const bool parallel : {false, true})
+    for (int frame = 0; frame < 10; ++frame) {
+      const Mat4d place = turned(frame * 0.7, frame * 0.4);
+      double farthest = 0;
+      for (const Vec3f& p : cube.mesh.positions)
+        farthest = std::max(farthest, 5 - transformPoint(place, vec3Cast<double>(p)).z);
+      const ClipRange range = {3, farthest * 1.00001};
+      Stage stage;
+      stage.view = parallel ? parallelView({0, 0, 5}, {0, 0, 0}, 2.4, range)
+                            : perspectiveView({0, 0, 5}, {0, 0, 0}, 50, range);
+      stage.instances = {cube.surface(place), cube.hull(4, place)};
+      expectOutline(stage, draw(stage), outlineOf(stage, cube.mesh, place), 4);
+      if (HasFatalFailure()) FAIL() << "frame " << frame;
+    }
+}
+
+TEST_P(Hull, DoesNotShowInAnOpenBox)
+{
+  OwnedMesh open = box({1, 1, 1});
+  open.triangles.resize(10);  // without its front
+  finish(open);
+  const Solid solid(std::move(open));
+  Stage stage;
+  stage.samples = 4;
+  stage.view = perspectiveView({0, 0, 5}, {0, 0, 0}, 50);
+  for (int frame = 0; frame < 20; ++frame) {
+    const Mat4d place = turned(frame * 0.05, frame * 0.04 - 0.5);
+    stage.instances = {solid.surface(place)};
+    const Picture without = draw(stage);
+    stage.instances.push_back(solid.hull(4, place));
+    const Picture with = draw(stage);
+    std::size_t inked = 0;
+    for (std::size_t i = 0; i < with.color.size(); ++i) {
+      if (without.coverage[i] == 15) {
+        EXPECT_EQ(with.color[i].g, 0) << "frame " << frame;
+      }
+      inked += with.color[i].g > 0;
+    }
+    EXPECT_GT(inked, 100u) << frame;
+  }
+}
+
 TEST_P(Hull, NamesItsInstanceAndACellBehindItAndNothingElse)
 {
   const Solid cube(box({0.5, 0.5, 0.5}));
