@@ -7,7 +7,9 @@
  * A scalar bar shows the colours of a lookup table, but a surface with a tone has others. This
  * legend has both: the values of LookupTable from left to right, and the tone from below, where the
  * surface turns away from the light, to above, where it faces it; its colours are those that Limn
- * draws with SurfaceProperty under a headlight, without highlights and outlines.
+ * draws with SurfaceProperty under a headlight, without highlights and outlines. Tones that follow
+ * more than the angle to the light, as metal and those by pictures do, have more colours than it
+ * shows.
  *
  * In OpenGL windows it is a 2-D actor: a rectangle at Position, whose size is Position2, by default
  * a fifth and a twelfth of the viewport in its lower left corner. Limn's own window draws no 2-D

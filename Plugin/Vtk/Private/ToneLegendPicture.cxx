@@ -83,6 +83,8 @@ void setLook(vtkProperty* property, Instance& instance)
   look->SetOpacity(1);
   instance.material = materialOf(look);
   instance.style = styleOf(look, SurfaceMesh());
+  instance.style.toneLight = ToneLight::kFirst;
+  instance.style.toneHighlight = ToneHighlight::kNone;
 }
 
 } // namespace
