@@ -202,6 +202,25 @@ TEST_P(TonesOverData, LegendSafeLightnessIsAffineAcrossASphere)
   }
 }
 
+TEST_P(TonesOverData, BandsStepTheLightness)
+{
+  const Rgba8 color = {120, 140, 90, 255};
+  Stage stage = sphereOf(color, Tone::kGooch, ToneOverData::kLegendSafe);
+  stage.instances[0].style.toonBands = 4;
+  const Picture picture = draw(stage);
+  const double data = lab(color).x;
+  int compared = 0;
+  for (int y = 20; y < 76; ++y)
+    for (int x = 20; x < 76; ++x) {
+      const double t = ((x + 0.5 - 48) / 40 + 1) / 2;
+      // Edges are a pixel wide.
+      if (std::fabs(4 * t - std::round(4 * t)) < 0.1) continue;
+      ASSERT_NEAR(lab(at(picture, x, y)).x, data + 12 * (2 * std::floor(4 * t) / 3 - 1), 0.4);
+      ++compared;
+    }
+  EXPECT_GT(compared, 2000);
+}
+
 TEST_P(TonesOverData, UndertoneMixesTheToneOfGreyIntoTheData)
 {
   for (const Tone tone : {Tone::kGooch, Tone::kGoochChapter}) {
