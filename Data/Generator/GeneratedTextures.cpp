@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Data/Generator/GeneratedTextures.h"
 
+#include "Rendering/Base/Power.h"
 #include "Rendering/Scene.h"
 #include "Rendering/Texture/Procedural.h"
 #include "Rendering/Texture/SampleTexture.h"
@@ -169,6 +170,40 @@ GeneratedTexture leadedWindow()
       texture.texels.insert(texture.texels.end(), {c.r, c.g, c.b, c.a});
     }
   return texture;
+}
+
+GeneratedTexture toonRamp()
+{
+  constexpr int kWidth = 128, kHeight = 64, kInks = 4;
+  constexpr Vec3f kInk[kInks] = {
+      {0.16f, 0.13f, 0.3f}, {0.55f, 0.23f, 0.27f}, {0.93f, 0.55f, 0.32f}, {1.0f, 0.92f, 0.72f}};
+  constexpr Vec3f kWash = {0.8f, 0.84f, 0.88f};
+  return rgbTexture(kWidth, kHeight, [&](int x, int y) -> Rgb {
+    const float detail = (static_cast<float>(y) + 0.5f) / kHeight;
+    const float share = detail * detail * (3.0f - 2.0f * detail);
+    const Vec3f color = kInk[x * kInks / kWidth] * share + kWash * (1.0f - share);
+    return {byteOf(color.x), byteOf(color.y), byteOf(color.z)};
+  });
+}
+
+GeneratedTexture litSphere()
+{
+  constexpr int kSide = 128;
+  const Vec3f key = normalized(Vec3f{-0.5f, 0.7f, 0.6f}), fill = normalized(Vec3f{0.8f, -0.5f, 0});
+  const Vec3f halfway = normalized(key + Vec3f{0, 0, 1});
+  const auto positive = [](float value) { return value > 0 ? value : 0; };
+  return rgbTexture(kSide, kSide, [&](int x, int y) -> Rgb {
+    const auto across = [](int i) { return (static_cast<float>(i) + 0.5f) * (2.0f / kSide) - 1; };
+    const float squared = across(x) * across(x) + across(y) * across(y);
+    // The corners, which no normal reads, are the border's.
+    const Vec3f n =
+        normalized(Vec3f{across(x), across(y), squared < 1 ? std::sqrt(1 - squared) : 0.0f});
+    const float rim = positive(1 - n.z);
+    Vec3f color = Vec3f{0.2f, 0.11f, 0.1f} + Vec3f{0.62f, 0.36f, 0.24f} * positive(dot(n, key));
+    color = color + Vec3f{0.1f, 0.2f, 0.35f} * (positive(dot(n, fill)) * rim * 1.6f);
+    color = color + Vec3f{1.0f, 0.95f, 0.85f} * (0.6f * power(positive(dot(n, halfway)), 64));
+    return {byteOf(color.x), byteOf(color.y), byteOf(color.z)};
+  });
 }
 
 }  // namespace limn

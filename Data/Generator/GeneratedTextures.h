@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-/// The textures of Data/Textures, made from formulas, the same bytes everywhere. All repeat without
-/// a seam.
+/// The textures of Data/Textures, made from formulas, the same bytes everywhere. All but toonRamp()
+/// and litSphere() repeat without a seam.
 namespace limn {
 
 struct GeneratedTexture {
@@ -35,5 +35,11 @@ GeneratedTexture planet();
 /// A leaded window: opaque bars about lozenges of coloured glass, every third of which is broken
 /// and lets all through. 128 x 128, RGBA.
 GeneratedTexture leadedWindow();
+/// Four inks by the tone to the right, which upwards grow from one pale wash to full contrast. 128
+/// x 64, RGB.
+GeneratedTexture toonRamp();
+/// A sphere of glazed clay that fills the picture, lit warm from the upper left, cool from the
+/// lower right. 128 x 128, RGB.
+GeneratedTexture litSphere();
 
 }  // namespace limn

@@ -42,5 +42,7 @@ int main(int argc, char* argv[])
   isWritten = writePng(limn::brickNormals(), folder + "brick_normals.png") && isWritten;
   isWritten = writePng(limn::planet(), folder + "planet.png") && isWritten;
   isWritten = writePng(limn::leadedWindow(), folder + "leaded_window.png") && isWritten;
+  isWritten = writePng(limn::toonRamp(), folder + "toon_ramp.png") && isWritten;
+  isWritten = writePng(limn::litSphere(), folder + "lit_sphere.png") && isWritten;
   return isWritten ? 0 : 1;
 }

@@ -80,6 +80,18 @@ vtkSmartPointer<vtkTexture> loadTexture(const TextureSettings& settings, const s
   return texture;
 }
 
+vtkSmartPointer<vtkTexture> loadPicture(const std::string& file)
+{
+  if (file.empty())
+  {
+    return nullptr;
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(readImage(file));
+  texture->SetColorModeToDirectScalars();
+  return texture;
+}
+
 int roleOf(TextureRole role)
 {
   return role == TextureRole::Shaded ? vtkLimnProperty::TEXTURE_SHADED
@@ -151,6 +163,11 @@ Textures loadTextures(const TextureSettings& settings, const std::vector<Mesh>& 
   }
   return { loadTexture(settings, settings.image), loadTexture(settings, settings.bump),
     loadTexture(settings, settings.normalMap), loadTexture(settings, settings.lightmap) };
+}
+
+TonePictures loadTonePictures(const MaterialSettings& settings)
+{
+  return { loadPicture(settings.toonRamp), loadPicture(settings.matCap) };
 }
 
 void applyTextures(const TextureSettings& settings, const Textures& textures, vtkActor& actor,

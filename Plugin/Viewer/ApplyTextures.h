@@ -3,7 +3,7 @@
 #ifndef limn_viewer_ApplyTextures_h
 #define limn_viewer_ApplyTextures_h
 
-#include "RenderSettings.h" // for TextureSettings
+#include "RenderSettings.h" // for TextureSettings and MaterialSettings
 
 #include <vtkSmartPointer.h> // for the images
 #include <vtkTexture.h>      // for the images
@@ -27,6 +27,15 @@ struct Textures
 /// Throws UserError for a file that is missing or not an image, and for a mesh without texture
 /// coordinates if there is an image.
 Textures loadTextures(const TextureSettings& settings, const std::vector<Mesh>& meshes);
+
+/// Of the tones that are pictures.
+struct TonePictures
+{
+  vtkSmartPointer<vtkTexture> ramp, matCap; ///< nullptr: none
+};
+
+/// Throws UserError for a file that is missing or not an image.
+TonePictures loadTonePictures(const MaterialSettings& settings);
 
 void applyTextures(const TextureSettings& settings, const Textures& textures, vtkActor& actor,
   vtkLimnProperty& property);

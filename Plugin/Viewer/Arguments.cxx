@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arguments.h"
 
+#include "CheckIllustration.h"
 #include "EffectOptions.h"
 #include "OptionList.h"
 #include "ParseValue.h"
@@ -62,38 +63,6 @@ void requireColoringArray(const ColoringSettings& coloring)
   }
 }
 
-void checkToneOverData(const MaterialSettings& material)
-{
-  const auto over = material.toneOverData.value_or(ToneOverData::Classic);
-  if (material.tone == Tone::None && material.toneOverData)
-  {
-    throw UserError("--tone-over-data needs a tone; add --tone=gooch");
-  }
-  if (material.undertone && over != ToneOverData::Undertone)
-  {
-    throw UserError("--undertone needs --tone-over-data=undertone");
-  }
-  if (material.legendSafeRange && over != ToneOverData::LegendSafe)
-  {
-    throw UserError("--legend-safe-range needs --tone-over-data=legend-safe");
-  }
-}
-
-/// For a picture alone: in a window keys choose tone and outline.
-void checkIllustration(const MaterialSettings& material)
-{
-  if (material.tone == Tone::None && (material.cool || material.warm))
-  {
-    throw UserError(std::string(material.cool ? "--cool" : "--warm") +
-                    " needs a tone; add --tone=gooch or --tone=gooch-chapter");
-  }
-  checkToneOverData(material);
-  if (material.outline == Outline::None && material.outlineColor)
-  {
-    throw UserError("--outline-color needs --outline=normal");
-  }
-}
-
 /// For a picture alone: in a window keys choose the shading.
 void checkShading(const MaterialSettings& material)
 {
@@ -127,7 +96,8 @@ bool isGrey(const Color& color)
 /// A tone and the local models take the place of a reflection and of all that goes with it.
 void checkAlternatives(const MaterialSettings& material)
 {
-  const bool hasTone = material.tone != Tone::None;
+  // Toon steps what they send back.
+  const bool hasTone = material.tone != Tone::None && material.tone != Tone::Toon;
   if (material.localModel && material.reflection)
   {
     refuseBoth("--model", "--reflection");
@@ -309,6 +279,7 @@ Request parseRender(const Arguments& arguments)
   {
     return HelpRequest{ options.help() };
   }
+  takePictures(scene.material);
   checkScene(scene, "render");
   checkShading(scene.material);
   checkIllustration(scene.material);
@@ -337,6 +308,7 @@ Request parseView(const Arguments& arguments)
   {
     return HelpRequest{ options.help() };
   }
+  takePictures(scene.material);
   checkScene(scene, "view");
   return ViewRequest{ scene };
 }

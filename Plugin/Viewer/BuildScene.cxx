@@ -92,7 +92,10 @@ int reflectionModelOf(const MaterialSettings& material)
 
 void setReflectance(const MaterialSettings& material, vtkLimnProperty& property)
 {
-  const Color diffuse = material.diffuse.value_or(material.color.value_or(kDefaultColor));
+  // Colours of a picture stay what they are.
+  const bool isPainted = material.tone == Tone::Ramp || material.tone == Tone::MatCap;
+  const Color none = isPainted ? Color{ 1, 1, 1 } : kDefaultColor;
+  const Color diffuse = material.diffuse.value_or(material.color.value_or(none));
   const Color ambient = material.ambient.value_or(diffuse);
   // Without lights a surface shows k_a + k_d; a k_a that merely follows k_d would count twice.
   const bool hasAmbient = material.ambient || material.reflection != Reflection::None;
@@ -128,6 +131,17 @@ int toneOf(Tone tone)
       return vtkLimnProperty::TONE_GOOCH;
     case Tone::GoochChapter:
       return vtkLimnProperty::TONE_GOOCH_CHAPTER;
+    case Tone::GoochRtr4:
+    case Tone::GoochOrangeBook:
+      return vtkLimnProperty::TONE_GOOCH;
+    case Tone::Metal:
+      return vtkLimnProperty::TONE_METAL;
+    case Tone::Toon:
+      return vtkLimnProperty::TONE_TOON;
+    case Tone::Ramp:
+      return vtkLimnProperty::TONE_RAMP;
+    case Tone::MatCap:
+      return vtkLimnProperty::TONE_MAT_CAP;
     case Tone::None:
       break;
   }
@@ -155,10 +169,73 @@ void setToneOverData(const MaterialSettings& material, vtkLimnProperty& property
   property.SetLegendSafeRange(material.legendSafeRange.value_or(property.GetLegendSafeRange()));
 }
 
+/// What of a tone the user need not name.
+void setConstants(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  const bool isOrangeBook = material.tone == Tone::GoochOrangeBook;
+  if (isOrangeBook)
+  {
+    property.SetGoochToOrangeBook();
+  }
+  else if (material.tone == Tone::GoochRtr4)
+  {
+    property.SetGoochToRTR4();
+  }
+  else if (material.tone == Tone::Metal)
+  {
+    property.SetMetalToSteel();
+  }
+  else
+  {
+    property.SetGoochTo1998();
+  }
+  const std::optional<Color> diffuse = material.diffuse ? material.diffuse : material.color;
+  if (isOrangeBook && diffuse)
+  {
+    property.SetDiffuseColor(diffuse->data());
+  }
+}
+
+int rampDetailOf(RampBy by)
+{
+  switch (by)
+  {
+    case RampBy::Silhouette:
+      return vtkLimnProperty::TOON_RAMP_BY_SILHOUETTE;
+    case RampBy::Highlight:
+      return vtkLimnProperty::TOON_RAMP_BY_HIGHLIGHT;
+    case RampBy::Depth:
+      break;
+  }
+  return vtkLimnProperty::TOON_RAMP_BY_DEPTH;
+}
+
+void setRamp(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  property.SetToonRampBy(rampDetailOf(material.rampBy.value_or(RampBy::Depth)));
+  property.SetToonRampExponent(material.rampExponent.value_or(1));
+  property.SetToonRampRange(material.rampRange.value_or(std::array<double, 2>{ 0, 0 }).data());
+}
+
+void setOutline(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  property.SetOutline(material.outline == Outline::Normal ? vtkLimnProperty::OUTLINE_NORMAL
+                                                          : vtkLimnProperty::OUTLINE_NONE);
+  property.SetOutlineWidth(material.outlineWidth.value_or(0));
+  property.SetOutlineColor(material.outlineColor.value_or(Color{ 0, 0, 0 }).data());
+  property.SetOutlineOpacity(material.outlineOpacity.value_or(1));
+}
+
 void setIllustration(const MaterialSettings& material, vtkLimnProperty& property)
 {
+  setConstants(material, property);
   property.SetTone(toneOf(material.tone));
   setToneOverData(material, property);
+  property.SetToonBands(material.toonSteps.value_or(0));
+  property.SetToneLight(material.toneLight == ToneLight::UpperRight
+                          ? vtkLimnProperty::TONE_LIGHT_UPPER_RIGHT
+                          : vtkLimnProperty::TONE_LIGHT_SCENE);
+  setRamp(material, property);
   if (material.cool)
   {
     property.SetCoolColor(material.cool->data());
@@ -169,9 +246,7 @@ void setIllustration(const MaterialSettings& material, vtkLimnProperty& property
     property.SetWarmColor(material.warm->data());
     property.SetWarmSurface(0);
   }
-  property.SetOutline(material.outline == Outline::Normal ? vtkLimnProperty::OUTLINE_NORMAL
-                                                          : vtkLimnProperty::OUTLINE_NONE);
-  property.SetOutlineColor(material.outlineColor.value_or(Color{ 0, 0, 0 }).data());
+  setOutline(material, property);
 }
 
 void setRectangle(const LightSettings& settings, vtkLimnLight& light)
@@ -246,12 +321,15 @@ void addMeshes(
   const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
 {
   const Textures textures = loadTextures(settings.texture, meshes);
+  const TonePictures pictures = loadTonePictures(settings.material);
   for (const Mesh& mesh : meshes)
   {
     vtkNew<vtkLimnPolyDataMapper> mapper;
     mapper->SetInputData(mesh.surface);
     vtkNew<vtkLimnProperty> property;
     applyMaterial(settings.material, *property);
+    property->SetToonRamp(pictures.ramp.Get());
+    property->SetMatCap(pictures.matCap.Get());
     vtkNew<vtkLimnActor> actor;
     actor->SetMapper(mapper);
     actor->SetProperty(property);

@@ -38,7 +38,23 @@ const Choices<Reflection>& reflections()
 const Choices<Tone>& tones()
 {
   static const Choices<Tone> choices = { { "none", Tone::None }, { "gooch", Tone::Gooch },
-    { "gooch-chapter", Tone::GoochChapter } };
+    { "gooch-chapter", Tone::GoochChapter }, { "gooch-rtr4", Tone::GoochRtr4 },
+    { "gooch-orange-book", Tone::GoochOrangeBook }, { "metal", Tone::Metal },
+    { "toon", Tone::Toon } };
+  return choices;
+}
+
+const Choices<ToneLight>& toneLights()
+{
+  static const Choices<ToneLight> choices = { { "scene", ToneLight::Scene },
+    { "upper-right", ToneLight::UpperRight } };
+  return choices;
+}
+
+const Choices<RampBy>& rampDetails()
+{
+  static const Choices<RampBy> choices = { { "depth", RampBy::Depth },
+    { "silhouette", RampBy::Silhouette }, { "highlight", RampBy::Highlight } };
   return choices;
 }
 

@@ -17,6 +17,8 @@ const Choices<Normals>& normalSources();
 const Choices<Reflection>& reflections();
 const Choices<Tone>& tones();
 const Choices<ToneOverData>& tonesOverData();
+const Choices<ToneLight>& toneLights();
+const Choices<RampBy>& rampDetails();
 const Choices<Outline>& outlines();
 const Choices<TextureFilter>& textureFilters();
 const Choices<TextureWrap>& textureWraps();

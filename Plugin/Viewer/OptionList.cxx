@@ -16,8 +16,6 @@ namespace
 const std::map<std::string, std::string>& unservedOptions()
 {
   static const std::map<std::string, std::string> options = {
-    { "--toon-steps", "use --tone=gooch" },
-    { "--outline-width", "use --outline=normal" },
     { "--edges", "leave it out" },
     { "--line-width", "leave it out" },
     { "--point-size", "leave it out" },

@@ -51,7 +51,26 @@ enum class Tone
 {
   None,
   Gooch,
-  GoochChapter
+  GoochChapter,
+  GoochRtr4,
+  GoochOrangeBook,
+  Metal,
+  Toon,   ///< the reflection in steps
+  Ramp,   ///< by MaterialSettings::toonRamp
+  MatCap, ///< by MaterialSettings::matCap
+};
+
+enum class ToneLight
+{
+  Scene,
+  UpperRight
+};
+
+enum class RampBy
+{
+  Depth,
+  Silhouette,
+  Highlight
 };
 
 enum class ToneOverData
@@ -202,8 +221,16 @@ struct MaterialSettings
   std::optional<ToneOverData> toneOverData; ///< classic if not given
   std::optional<double> undertone;          ///< 0 to 1; the property's default if not given
   std::optional<double> legendSafeRange;    ///< 0 to 100; the property's default if not given
+  std::optional<int> toonSteps;                   ///< 2 to 64; 3 for Toon, else none, if not given
+  std::optional<ToneLight> toneLight;             ///< of the scene if not given
+  std::string toonRamp, matCap;                   ///< files; empty: none
+  std::optional<RampBy> rampBy;                   ///< depth if not given
+  std::optional<double> rampExponent;             ///< >= 0; 1 if not given
+  std::optional<std::array<double, 2>> rampRange; ///< of the clipping planes if not given
   Outline outline = Outline::None;
-  std::optional<Color> outlineColor; ///< black if not given
+  std::optional<Color> outlineColor;    ///< black if not given
+  std::optional<double> outlineWidth;   ///< pixels; by a threshold if not given
+  std::optional<double> outlineOpacity; ///< 0 to 1; 1 if not given
   bool backfaceCulling = false;
 };
 

@@ -171,15 +171,53 @@ void addMaterial(OptionList& options, MaterialSettings& material)
     "--backface-culling", "leave out faces seen from behind", material.backfaceCulling);
 }
 
-void addIllustration(OptionList& options, MaterialSettings& material)
+double parseWidth(Text option, Text text)
 {
-  options.startGroup("Illustration");
+  const double width = parsePositive(option, text);
+  if (width > 1000)
+  {
+    throw UserError(option + "=" + text + " is more than 1000 pixels");
+  }
+  return width;
+}
+
+double parseExponent(Text option, Text text)
+{
+  const double exponent = parseNumber(option, text);
+  if (exponent < 0 || exponent > 1000)
+  {
+    throw UserError(option + "=" + text + " is not from 0 to 1000");
+  }
+  return exponent;
+}
+
+std::array<double, 2> parseDistances(Text option, Text text)
+{
+  const std::array<double, 2> range = parseRange(option, text);
+  if (!(range[0] > 0 && range[1] > range[0]))
+  {
+    throw UserError(option + "=" + text + " is not a range above 0");
+  }
+  return range;
+}
+
+void addTone(OptionList& options, MaterialSettings& material)
+{
   options.add("--tone", "name",
-    "none, gooch (warm faces the light), gooch-chapter\n(cool faces the light) (none)",
-    choose(material.tone, tones(), { "toon" }));
-  options.add("--cool", "r,g,b", "k_cool (0,0,0.4 + 0.2 k_d)", into(material.cool, parseIntensity));
-  options.add(
-    "--warm", "r,g,b", "k_warm (0.4,0.4,0 + 0.6 k_d)", into(material.warm, parseIntensity));
+    "none, gooch (warm faces the light), gooch-chapter\n(cool faces the light), gooch-rtr4, "
+    "gooch-orange-book\n(as these books have it), metal (milled), toon (the\nreflection in steps) "
+    "(none)",
+    choose(material.tone, tones()));
+  options.add("--toon-steps", "n", "of light, 2 to 64 (3 with toon, else smooth)",
+    [&material](Text option, Text text)
+    { material.toonSteps = parseInteger(option, text, 2, 64); });
+  options.add("--tone-light", "name",
+    "of tones but toon: scene (the first), upper-right\n(fixed to the camera) (scene)",
+    choose(material.toneLight, toneLights()));
+  options.add("--cool", "r,g,b", "k_cool (0,0,0.4 + 0.2 k_d, or as the tone has it)",
+    into(material.cool, parseIntensity));
+  options.add("--warm", "r,g,b", "k_warm (0.4,0.4,0 + 0.6 k_d, or as the tone has it)",
+    into(material.warm, parseIntensity));
   options.add("--tone-over-data", "name",
     "with colours of an array or of the mesh: classic (as\n"
     "k_d), undertone (the tone mixed in), legend-safe\n(lightness alone moves) (classic)",
@@ -188,9 +226,29 @@ void addIllustration(OptionList& options, MaterialSettings& material)
     into(material.undertone, parseShare));
   options.add("--legend-safe-range", "w", "of legend-safe: L* moves by w l.n, 0 to 100 (12)",
     into(material.legendSafeRange, parseLightness));
+  options.add("--toon-ramp", "file",
+    "in place of --tone: a picture with the tone max(0, n.l)\nto the right, a detail upwards",
+    [&material](Text, Text text) { material.toonRamp = text; });
+  options.add("--toon-ramp-by", "name", "its detail: depth, silhouette, highlight (depth)",
+    choose(material.rampBy, rampDetails()));
+  options.add("--toon-ramp-exponent", "r", "of silhouette and highlight, 0 to 1000 (1)",
+    into(material.rampExponent, parseExponent));
+  options.add("--toon-ramp-range", "a,b", "of depth, distances from the eye (of what is seen)",
+    into(material.rampRange, parseDistances));
+  options.add("--matcap", "file", "in place of --tone: a picture of a lit sphere",
+    [&material](Text, Text text) { material.matCap = text; });
+}
+
+void addIllustration(OptionList& options, MaterialSettings& material)
+{
+  options.startGroup("Illustration");
+  addTone(options, material);
   options.add("--outline", "name", "none, normal (where the surface turns away) (none)",
     choose(material.outline, outlines(), { "hull", "image" }));
+  options.add("--outline-width", "pixels", "up to 1000 (wider where the surface is flatter)",
+    into(material.outlineWidth, parseWidth));
   options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));
+  options.add("--outline-opacity", "a", "0 to 1 (1)", into(material.outlineOpacity, parseShare));
 }
 
 double parseProceduralScale(Text option, Text text)

@@ -29,7 +29,8 @@ const char* const kKeys = R"(Keys
   s  shading: flat, gouraud, phong
   l  reflection of light: none, lambert, phong, blinn-phong,
      irradiance, oren-nayar, metallic
-  t  tone: none, gooch, gooch-chapter
+  t  tone: none, gooch, gooch-chapter, gooch-rtr4,
+     gooch-orange-book, metal, toon
   o  outline: none, normal
   m  samples per pixel: 1, 2, 4, 8, 16
   r  reset the camera
@@ -71,6 +72,11 @@ void advance(const Choices<Value>& choices, Value& value)
 Reflection reflectionOf(const MaterialSettings& material)
 {
   return material.reflection.value_or(kDefaultReflection);
+}
+
+std::string toneName(Tone tone)
+{
+  return tone == Tone::Ramp ? "ramp" : tone == Tone::MatCap ? "matcap" : nameOf(tones(), tone);
 }
 
 /// What is on the screen and how it looks at the moment.
@@ -146,7 +152,7 @@ private:
            nameOf(shadings(), material.shading) + " | reflection " +
            (material.localModel ? "model " + std::to_string(*material.localModel)
                                 : nameOf(reflections(), reflectionOf(material))) +
-           " | tone " + nameOf(tones(), material.tone) + " | outline " +
+           " | tone " + toneName(material.tone) + " | outline " +
            nameOf(outlines(), material.outline) + " | samples " +
            std::to_string(this->settings_.samples) + " | h: keys";
   }

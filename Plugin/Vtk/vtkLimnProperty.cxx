@@ -4,7 +4,9 @@
 
 #include "vtkLimnSurfaceShader.h"
 
+#include "vtkImageData.h"
 #include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
 #include "vtkTexture.h"
 
 #include <algorithm>
@@ -17,11 +19,26 @@ void PrintVector(ostream& os, const char* name, const double vector[3])
 {
   os << name << ": (" << vector[0] << ", " << vector[1] << ", " << vector[2] << ")\n";
 }
+
+/// As its colours stand; nullptr for no image.
+vtkSmartPointer<vtkTexture> TextureOf(vtkImageData* image)
+{
+  if (!image)
+  {
+    return nullptr;
+  }
+  auto texture = vtkSmartPointer<vtkTexture>::New();
+  texture->SetInputData(image);
+  texture->SetColorModeToDirectScalars();
+  return texture;
+}
 }
 
 vtkStandardNewMacro(vtkLimnProperty);
 vtkCxxSetObjectMacro(vtkLimnProperty, LightmapTexture, vtkTexture);
 vtkCxxSetObjectMacro(vtkLimnProperty, BumpTexture, vtkTexture);
+vtkCxxSetObjectMacro(vtkLimnProperty, ToonRamp, vtkTexture);
+vtkCxxSetObjectMacro(vtkLimnProperty, MatCap, vtkTexture);
 vtkCxxSetObjectMacro(vtkLimnProperty, SurfaceShader, vtkLimnSurfaceShader);
 
 //------------------------------------------------------------------------------
@@ -30,7 +47,59 @@ vtkLimnProperty::~vtkLimnProperty()
   this->SetLightmapTexture(nullptr);
   this->SetLightmapTCoords(nullptr);
   this->SetBumpTexture(nullptr);
+  this->SetToonRamp(nullptr);
+  this->SetMatCap(nullptr);
   this->SetSurfaceShader(nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::SetToonRampImage(vtkImageData* image)
+{
+  this->SetToonRamp(TextureOf(image).Get());
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::SetMatCapImage(vtkImageData* image)
+{
+  this->SetMatCap(TextureOf(image).Get());
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::SetGoochTo1998()
+{
+  this->SetToneToGooch();
+  this->SetCoolColor(0.0, 0.0, 0.4);
+  this->SetWarmColor(0.4, 0.4, 0.0);
+  this->SetCoolSurface(0.2);
+  this->SetWarmSurface(0.6);
+  this->SetToneHighlightToAdded();
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::SetGoochToRTR4()
+{
+  this->SetToneToGooch();
+  this->SetCoolColor(0.0, 0.0, 0.55);
+  this->SetWarmColor(0.3, 0.3, 0.0);
+  this->SetCoolSurface(0.25);
+  this->SetWarmSurface(0.25);
+  this->SetToneHighlightToWhite();
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::SetGoochToOrangeBook()
+{
+  this->SetToneToGooch();
+  this->SetCoolColor(0.0, 0.0, 0.6);
+  this->SetWarmColor(0.6, 0.6, 0.0);
+  this->SetCoolSurface(0.45);
+  this->SetWarmSurface(0.45);
+  this->SetToneHighlightToReflected();
+  this->SetDiffuseColor(0.75, 0.75, 0.75);
+  this->SetDiffuse(1.0);
+  this->SetSpecularColor(1.0, 1.0, 1.0);
+  this->SetSpecular(1.0);
+  this->SetSpecularPower(32.0);
 }
 
 //------------------------------------------------------------------------------
@@ -38,6 +107,17 @@ vtkMTimeType vtkLimnProperty::GetMTime()
 {
   const vtkMTimeType time = this->Superclass::GetMTime();
   return this->SurfaceShader ? std::max(time, this->SurfaceShader->GetMTime()) : time;
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::SetMetalToSteel()
+{
+  this->SetToneToMetal();
+  this->SetCoolColor(1.0, 1.15, 1.4);
+  this->SetWarmColor(2.0, 1.95, 1.8);
+  this->SetCoolSurface(0.0);
+  this->SetWarmSurface(0.0);
+  this->SetToneHighlightToNone();
 }
 
 //------------------------------------------------------------------------------
@@ -72,7 +152,8 @@ const char* vtkLimnProperty::GetVertexNormalsAsString()
 //------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetToneAsString()
 {
-  static const char* const names[] = { "None", "Gooch", "GoochChapter" };
+  static const char* const names[] = { "None", "Gooch", "GoochChapter", "Toon", "Metal", "Ramp",
+    "MatCap" };
   return names[this->Tone];
 }
 
@@ -81,6 +162,26 @@ const char* vtkLimnProperty::GetToneOverDataAsString()
 {
   static const char* const names[] = { "Classic", "Undertone", "LegendSafe" };
   return names[this->ToneOverData];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetToneLightAsString()
+{
+  return this->ToneLight == TONE_LIGHT_UPPER_RIGHT ? "UpperRight" : "Scene";
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetToneHighlightAsString()
+{
+  static const char* const names[] = { "Added", "Reflected", "White", "None" };
+  return names[this->ToneHighlight];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetToonRampByAsString()
+{
+  static const char* const names[] = { "Depth", "Silhouette", "Highlight" };
+  return names[this->ToonRampBy];
 }
 
 //------------------------------------------------------------------------------
@@ -133,6 +234,27 @@ void vtkLimnProperty::CopyWithTextures(vtkProperty* property)
 }
 
 //------------------------------------------------------------------------------
+void vtkLimnProperty::CopyTone(vtkLimnProperty* other)
+{
+  this->SetTone(other->Tone);
+  this->SetCoolColor(other->CoolColor);
+  this->SetWarmColor(other->WarmColor);
+  this->SetCoolSurface(other->CoolSurface);
+  this->SetWarmSurface(other->WarmSurface);
+  this->SetToneOverData(other->ToneOverData);
+  this->SetUndertone(other->Undertone);
+  this->SetLegendSafeRange(other->LegendSafeRange);
+  this->SetToonBands(other->ToonBands);
+  this->SetToneLight(other->ToneLight);
+  this->SetToneHighlight(other->ToneHighlight);
+  this->SetToonRamp(other->ToonRamp);
+  this->SetToonRampBy(other->ToonRampBy);
+  this->SetToonRampExponent(other->ToonRampExponent);
+  this->SetToonRampRange(other->ToonRampRange);
+  this->SetMatCap(other->MatCap);
+}
+
+//------------------------------------------------------------------------------
 void vtkLimnProperty::DeepCopy(vtkProperty* property)
 {
   if (property)
@@ -154,14 +276,7 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetRimColor(other->RimColor);
   this->SetRimPower(other->RimPower);
   this->SetFallOff(other->FallOff);
-  this->SetTone(other->Tone);
-  this->SetCoolColor(other->CoolColor);
-  this->SetWarmColor(other->WarmColor);
-  this->SetCoolSurface(other->CoolSurface);
-  this->SetWarmSurface(other->WarmSurface);
-  this->SetToneOverData(other->ToneOverData);
-  this->SetUndertone(other->Undertone);
-  this->SetLegendSafeRange(other->LegendSafeRange);
+  this->CopyTone(other);
   this->SetOutline(other->Outline);
   this->SetOutlineThreshold(other->OutlineThreshold);
   this->SetOutlineWidth(other->OutlineWidth);
@@ -184,6 +299,30 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
 }
 
 //------------------------------------------------------------------------------
+void vtkLimnProperty::PrintTone(ostream& os, vtkIndent indent)
+{
+  os << indent << "Tone: " << this->GetToneAsString() << "\n";
+  os << indent;
+  PrintVector(os, "CoolColor", this->CoolColor);
+  os << indent;
+  PrintVector(os, "WarmColor", this->WarmColor);
+  os << indent << "CoolSurface: " << this->CoolSurface << "\n";
+  os << indent << "WarmSurface: " << this->WarmSurface << "\n";
+  os << indent << "ToneOverData: " << this->GetToneOverDataAsString() << "\n";
+  os << indent << "Undertone: " << this->Undertone << "\n";
+  os << indent << "LegendSafeRange: " << this->LegendSafeRange << "\n";
+  os << indent << "ToonBands: " << this->ToonBands << "\n";
+  os << indent << "ToneLight: " << this->GetToneLightAsString() << "\n";
+  os << indent << "ToneHighlight: " << this->GetToneHighlightAsString() << "\n";
+  os << indent << "ToonRamp: " << this->ToonRamp << "\n";
+  os << indent << "ToonRampBy: " << this->GetToonRampByAsString() << "\n";
+  os << indent << "ToonRampExponent: " << this->ToonRampExponent << "\n";
+  os << indent << "ToonRampRange: (" << this->ToonRampRange[0] << ", " << this->ToonRampRange[1]
+     << ")\n";
+  os << indent << "MatCap: " << this->MatCap << "\n";
+}
+
+//------------------------------------------------------------------------------
 void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -199,16 +338,7 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   PrintVector(os, "RimColor", this->RimColor);
   os << indent << "RimPower: " << this->RimPower << "\n";
   os << indent << "FallOff: " << (this->FallOff ? "On" : "Off") << "\n";
-  os << indent << "Tone: " << this->GetToneAsString() << "\n";
-  os << indent;
-  PrintVector(os, "CoolColor", this->CoolColor);
-  os << indent;
-  PrintVector(os, "WarmColor", this->WarmColor);
-  os << indent << "CoolSurface: " << this->CoolSurface << "\n";
-  os << indent << "WarmSurface: " << this->WarmSurface << "\n";
-  os << indent << "ToneOverData: " << this->GetToneOverDataAsString() << "\n";
-  os << indent << "Undertone: " << this->Undertone << "\n";
-  os << indent << "LegendSafeRange: " << this->LegendSafeRange << "\n";
+  this->PrintTone(os, indent);
   os << indent << "Outline: " << this->GetOutlineAsString() << "\n";
   os << indent << "OutlineThreshold: " << this->OutlineThreshold << "\n";
   os << indent << "OutlineWidth: " << this->OutlineWidth << "\n";

@@ -23,6 +23,7 @@
 #include "vtkLimnModule.h" // for export macro
 #include "vtkProperty.h"
 
+class vtkImageData;
 class vtkTexture;
 class vtkLimnSurfaceShader;
 
@@ -198,21 +199,144 @@ public:
   {
     TONE_NONE = 0,
     TONE_GOOCH,
-    TONE_GOOCH_CHAPTER
+    TONE_GOOCH_CHAPTER,
+    TONE_TOON,
+    TONE_METAL,
+    TONE_RAMP,
+    TONE_MAT_CAP
   };
 
   ///@{
   /**
-   * A colour scale in place of the diffuse term, for the first light. Gooch: warm where the surface
-   * faces the light, cool where it turns away. GoochChapter: the same scale the other way round.
-   * Default: None.
+   * A colour scale in place of the diffuse term, for the light that ToneLight names. Gooch: warm
+   * where the surface faces it, cool where it turns away. GoochChapter: the same scale the other
+   * way round. Metal: Gooch's scale times the stripes of a milled surface. Ramp: k_d times
+   * ToonRamp's colour. MatCap: k_d times the colour that the MatCap's sphere has for the same
+   * normal.
+   *
+   * Toon is no scale, but ReflectionModel in ToonBands steps. Default: None.
    */
-  vtkSetClampMacro(Tone, int, TONE_NONE, TONE_GOOCH_CHAPTER);
+  vtkSetClampMacro(Tone, int, TONE_NONE, TONE_MAT_CAP);
   vtkGetMacro(Tone, int);
   void SetToneToNone() { this->SetTone(TONE_NONE); }
   void SetToneToGooch() { this->SetTone(TONE_GOOCH); }
   void SetToneToGoochChapter() { this->SetTone(TONE_GOOCH_CHAPTER); }
+  void SetToneToToon() { this->SetTone(TONE_TOON); }
+  void SetToneToMetal() { this->SetTone(TONE_METAL); }
+  void SetToneToRamp() { this->SetTone(TONE_RAMP); }
+  void SetToneToMatCap() { this->SetTone(TONE_MAT_CAP); }
   const char* GetToneAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Into how many even steps light is divided, after that of all lights is summed, for the tones
+   * Toon, Gooch, GoochChapter and Metal: 2 to 64. Highlights become all or nothing. Their edges are
+   * antialiased with the frequency Phong; Flat gives each face one step, and Gouraud blends steps
+   * over the triangles that they meet in. Default: 0, which is 3 for Toon and smooth for all else.
+   */
+  vtkSetClampMacro(ToonBands, int, 0, 64);
+  vtkGetMacro(ToonBands, int);
+  ///@}
+
+  enum ToneLights
+  {
+    TONE_LIGHT_SCENE = 0,
+    TONE_LIGHT_UPPER_RIGHT
+  };
+
+  ///@{
+  /**
+   * The light of all tones but Toon and MatCap. Scene, the default: the renderer's first.
+   * UpperRight: one from above and the right that moves with the camera, perpendicular to the gaze,
+   * so that the whole scale is seen.
+   */
+  vtkSetClampMacro(ToneLight, int, TONE_LIGHT_SCENE, TONE_LIGHT_UPPER_RIGHT);
+  vtkGetMacro(ToneLight, int);
+  void SetToneLightToScene() { this->SetToneLight(TONE_LIGHT_SCENE); }
+  void SetToneLightToUpperRight() { this->SetToneLight(TONE_LIGHT_UPPER_RIGHT); }
+  const char* GetToneLightAsString();
+  ///@}
+
+  enum ToneHighlights
+  {
+    TONE_HIGHLIGHT_ADDED = 0,
+    TONE_HIGHLIGHT_REFLECTED,
+    TONE_HIGHLIGHT_WHITE,
+    TONE_HIGHLIGHT_NONE
+  };
+
+  ///@{
+  /**
+   * The highlight of Gooch, GoochChapter and Metal. Added, the default: k_s max(0, n.h)^p, without
+   * the light's colour. Reflected: k_s max(0, r.v)^p. White: a share clamp(100 r.v - 97) of white.
+   */
+  vtkSetClampMacro(ToneHighlight, int, TONE_HIGHLIGHT_ADDED, TONE_HIGHLIGHT_NONE);
+  vtkGetMacro(ToneHighlight, int);
+  void SetToneHighlightToAdded() { this->SetToneHighlight(TONE_HIGHLIGHT_ADDED); }
+  void SetToneHighlightToReflected() { this->SetToneHighlight(TONE_HIGHLIGHT_REFLECTED); }
+  void SetToneHighlightToWhite() { this->SetToneHighlight(TONE_HIGHLIGHT_WHITE); }
+  void SetToneHighlightToNone() { this->SetToneHighlight(TONE_HIGHLIGHT_NONE); }
+  const char* GetToneHighlightAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The tone Gooch with the constants of a publication: CoolColor, WarmColor, CoolSurface,
+   * WarmSurface and ToneHighlight. 1998: the figures of Gooch, Gooch, Shirley and Cohen, all the
+   * defaults. RTR4: Real-Time Rendering, 4th edition, 5.1. OrangeBook: Rost, OpenGL Shading
+   * Language, which has a surface of 0.75 and a white highlight of power 32; these are set too, as
+   * diffuse and specular color.
+   */
+  void SetGoochTo1998();
+  void SetGoochToRTR4();
+  void SetGoochToOrangeBook();
+  ///@}
+
+  /**
+   * The tone Metal with a CoolColor of (1, 1.15, 1.4) and a WarmColor of (2, 1.95, 1.8), whatever
+   * the surface's own color, and no highlight. All stripes but one are dark: with Gooch's own
+   * constants they make cast iron.
+   */
+  void SetMetalToSteel();
+
+  ///@{
+  /**
+   * The picture of the tone Ramp: to the right max(0, n.l), upwards a detail (X-Toon: Barla,
+   * Thollot and Markosian 2006). ToonRampBy says which: Depth, the default, from 0 at the farther
+   * end of ToonRampRange to 1 at the nearer one, by the logarithm of the distance along the gaze;
+   * Silhouette |n.v|^ToonRampExponent; Highlight max(0, r.v)^ToonRampExponent. A range of (0, 0),
+   * the default, is that of the camera's clipping planes. The exponent's default is 1.
+   */
+  virtual void SetToonRamp(vtkTexture* texture);
+  void SetToonRampImage(vtkImageData* image);
+  vtkGetObjectMacro(ToonRamp, vtkTexture);
+  enum ToonRampDetails
+  {
+    TOON_RAMP_BY_DEPTH = 0,
+    TOON_RAMP_BY_SILHOUETTE,
+    TOON_RAMP_BY_HIGHLIGHT
+  };
+  vtkSetClampMacro(ToonRampBy, int, TOON_RAMP_BY_DEPTH, TOON_RAMP_BY_HIGHLIGHT);
+  vtkGetMacro(ToonRampBy, int);
+  void SetToonRampByToDepth() { this->SetToonRampBy(TOON_RAMP_BY_DEPTH); }
+  void SetToonRampByToSilhouette() { this->SetToonRampBy(TOON_RAMP_BY_SILHOUETTE); }
+  void SetToonRampByToHighlight() { this->SetToonRampBy(TOON_RAMP_BY_HIGHLIGHT); }
+  const char* GetToonRampByAsString();
+  vtkSetMacro(ToonRampExponent, double);
+  vtkGetMacro(ToonRampExponent, double);
+  vtkSetVector2Macro(ToonRampRange, double);
+  vtkGetVector2Macro(ToonRampRange, double);
+  ///@}
+
+  ///@{
+  /**
+   * The picture of the tone MatCap: a sphere that fills it, as it looks from the eye (Sloan et al.
+   * 2001).
+   */
+  virtual void SetMatCap(vtkTexture* texture);
+  void SetMatCapImage(vtkImageData* image);
+  vtkGetObjectMacro(MatCap, vtkTexture);
   ///@}
 
   ///@{
@@ -482,6 +606,14 @@ protected:
   double Undertone = 0.25;
   double LegendSafeRange = 12;
   double WarmSurface = 0.6;
+  int ToonBands = 0;
+  int ToneLight = TONE_LIGHT_SCENE;
+  int ToneHighlight = TONE_HIGHLIGHT_ADDED;
+  vtkTexture* ToonRamp = nullptr;
+  int ToonRampBy = TOON_RAMP_BY_DEPTH;
+  double ToonRampExponent = 1.0;
+  double ToonRampRange[2] = { 0.0, 0.0 };
+  vtkTexture* MatCap = nullptr;
   int Outline = OUTLINE_NONE;
   double OutlineThreshold = 0.2;
   double OutlineWidth = 0.0;
@@ -504,6 +636,8 @@ protected:
 
 private:
   void CopyWithTextures(vtkProperty* property);
+  void CopyTone(vtkLimnProperty* other);
+  void PrintTone(ostream& os, vtkIndent indent);
 
   vtkLimnProperty(const vtkLimnProperty&) = delete;
   void operator=(const vtkLimnProperty&) = delete;

@@ -473,7 +473,7 @@ class Lighting {
                                                                           : blinnPhong(l, v, s);
     return hn::IfThenElseZero(isPositive(dot(l, s.normal)), highlight);
   }
-  Lanes3 toned(const Surface& s, const Neighbours* near = nullptr) const
+  HWY_NOINLINE Lanes3 toned(const Surface& s, const Neighbours* near = nullptr) const
   {
     if (style_.tone == Tone::kRamp || style_.tone == Tone::kMatCap) return painted(s);
     const Lanes3 l = toneLight(s);

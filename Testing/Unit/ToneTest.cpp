@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Gooch's cool and warm shading: equation (12.6) as printed, and with warm towards the light.
+// Gooch's cool and warm shading: equation (12.6) as printed, and with warm towards the light, with
+// the constants of other books, with stripes of metal, and with a light of the camera's.
 #include "Testing/Unit/TestScene.h"
 
 #include <algorithm>
@@ -135,6 +136,150 @@ TEST_P(Tones, ToneTakesTheDatasColorAsTheSurface)
   EXPECT_EQ(color.r, 153);
   EXPECT_EQ(color.g, 51);
   EXPECT_NEAR(color.b, 0.28 * 255, kRounding + 0.01);
+}
+
+TEST_P(Tones, GoochIsTheSumOfTwoLightsAndAnAmbientOne)
+{
+  // Gooch's form for fixed pipelines: ambient (warm + cool) / 2, (warm - cool) / 2 by l and the
+  // negative of that by -l.
+  const Stage stage = toneSphere(Tone::kGooch);
+  const Vec3d half = (kWarm - kCool) * 0.5;
+  const auto tone = [&](const Hit& hit) {
+    const double nl = hit.position.x;
+    return (kWarm + kCool) * 0.5 + half * std::max(0.0, nl) - half * std::max(0.0, -nl);
+  };
+  expectPicture(stage, draw(stage), hitSphere, tone, kRounding + kFacets);
+}
+
+/// r.v
+double reflectedCosine(const Hit& hit, Vec3d l)
+{
+  return dot(hit.normal * (2 * dot(hit.normal, l)) - l, hit.towardEye);
+}
+
+TEST_P(Tones, TheHighlightOfRealTimeRenderingMixesWithWhite)
+{
+  Stage stage = toneSphere(Tone::kGooch);
+  Style& style = stage.instances[0].style;
+  style.toneCool = {0, 0, 0.55f};
+  style.toneWarm = {0.3f, 0.3f, 0};
+  style.coolSurface = style.warmSurface = 0.25f;
+  style.toneHighlight = ToneHighlight::kWhite;
+  const Vec3d l = normalized(Vec3d{1, 1, 3});
+  stage.lights[0].direction = -l;
+  const Vec3d cool = Vec3d{0, 0, 0.55} + kSurface * 0.25;
+  const Vec3d warm = Vec3d{0.3, 0.3, 0} + kSurface * 0.25;
+  int white = 0;
+  const auto tone = [&](const Hit& hit) {
+    const double s = std::clamp(100 * reflectedCosine(hit, l) - 97, 0.0, 1.0);
+    white += s == 1;
+    return between(cool, warm, dot(hit.normal, l)) * (1 - s) + Vec3d{s, s, s};
+  };
+  // 100 r.v changes 100 sin(acos 0.97) = 24 times as fast as a cosine, twice that for r.
+  expectPicture(stage, draw(stage), hitSphere, tone, kRounding + 50 * kFacets);
+  EXPECT_GT(white, 30);
+}
+
+TEST_P(Tones, TheHighlightOfTheOrangeBookIsThatOfTheReflectedRay)
+{
+  Stage stage = toneSphere(Tone::kGooch);
+  Style& style = stage.instances[0].style;
+  style.toneCool = {0, 0, 0.6f};
+  style.toneWarm = {0.6f, 0.6f, 0};
+  style.coolSurface = style.warmSurface = 0.45f;
+  style.toneHighlight = ToneHighlight::kReflected;
+  Material& material = stage.instances[0].material;
+  material.diffuseColor = {0.75f, 0.75f, 0.75f};
+  material.specular = 1;
+  material.specularPower = 32;
+  const Vec3d l = normalized(Vec3d{1, 1, 3});
+  stage.lights[0].direction = -l;
+  const Vec3d surface = Vec3d{0.75, 0.75, 0.75} * 0.45;
+  const auto tone = [&](const Hit& hit) -> std::optional<Vec3d> {
+    const double nl = dot(hit.normal, l);
+    if (std::fabs(nl) < 0.02) return std::nullopt;
+    const double rv = std::max(0.0, reflectedCosine(hit, l));
+    const double highlight = nl > 0 ? std::pow(rv, 32) : 0;
+    return between(Vec3d{0, 0, 0.6} + surface, Vec3d{0.6, 0.6, 0} + surface, nl) +
+           Vec3d{highlight, highlight, highlight};
+  };
+  expectPicture(stage, draw(stage), hitSphere, tone, kRounding + 2 * steepness(32) * kFacets);
+}
+
+TEST_P(Tones, NoHighlightIsNone)
+{
+  Stage stage = toneSphere(Tone::kGooch);
+  const Picture matt = draw(stage);
+  stage.instances[0].material.specular = 1;
+  stage.instances[0].style.toneHighlight = ToneHighlight::kNone;
+  EXPECT_EQ(draw(stage).differingPixels(matt), 0u);
+}
+
+TEST_P(Tones, TheUpperRightLightIsTheCamerasWhateverTheScenes)
+{
+  Stage stage = toneSphere(Tone::kGooch);
+  stage.instances[0].style.toneLight = ToneLight::kUpperRight;
+  stage.view.eye = {3, 1, -2};
+  const Axes axes = axesOf(stage.view);
+  const auto tone = [&](const Hit& hit) {
+    return between(kCool, kWarm, dot(hit.normal, axes.right + axes.up) * std::sqrt(0.5));
+  };
+  const Picture picture = draw(stage);
+  expectPicture(stage, picture, hitSphere, tone, kRounding + kFacets);
+  stage.lights.clear();
+  EXPECT_EQ(draw(stage).differingPixels(picture), 0u);
+}
+
+/// Grey of stripe i, by 64-bit arithmetic.
+double stripe(int i)
+{
+  constexpr std::uint64_t kWord = std::uint64_t{1} << 32;
+  std::uint64_t bits = static_cast<std::uint64_t>(i + 1) * 2654435761u % kWord;
+  bits = bits ^ (bits / 65536);
+  bits = bits * 2246822519u % kWord;
+  bits = bits ^ (bits / 8192);
+  return static_cast<double>(bits / 256) / 16777216.0 / 2;
+}
+
+TEST_P(Tones, MetalIsTwentyStripesOfWhichTheLightsIsWhite)
+{
+  Stage stage = toneSphere(Tone::kMetal);
+  stage.width = stage.height = 192;
+  Style& style = stage.instances[0].style;
+  style.toneCool = style.toneWarm = {1, 1, 1};
+  style.coolSurface = style.warmSurface = 0;
+  const double angle = 1.0;
+  stage.lights[0].direction = {-std::cos(angle), 0, -std::sin(angle)};
+  const int light = static_cast<int>(angle / 3.14159265358979 * kMetalStripes);
+  const auto tone = [&](const Hit& hit) {
+    const double place = std::acos(hit.normal.x) / 3.14159265358979 * kMetalStripes - 0.5;
+    const auto grey = [&](int i) {
+      const int at = std::clamp(i, 0, kMetalStripes - 1);
+      return at == light ? 1.0 : stripe(at);
+    };
+    const int left = static_cast<int>(std::floor(place));
+    const double value = grey(left) + (grey(left + 1) - grey(left)) * (place - left);
+    return Vec3d{value, value, value};
+  };
+  // A stripe is a twentieth of half a turn, over which a grey goes from 0 to 1 at most; the arc
+  // cosine is good to 7e-5 of a radian.
+  expectPicture(stage, draw(stage), hitSphere, tone, kRounding + 10 * kFacets + 0.2);
+}
+
+TEST_P(Tones, MetalIsTimesCoolAndWarm)
+{
+  Stage stage = toneSphere(Tone::kMetal);
+  const Picture metal = draw(stage);
+  Style& style = stage.instances[0].style;
+  style.toneCool = style.toneWarm = {1, 1, 1};
+  style.coolSurface = style.warmSurface = 0;
+  const Picture grey = draw(stage);
+  const auto tone = [&](const Hit& hit) {
+    const Vec3d pixel = stage.project(hit.position);
+    const double stripes = at(grey, static_cast<int>(pixel.x), static_cast<int>(pixel.y)).r / 255.0;
+    return between(kCool, kWarm, hit.position.x) * stripes;
+  };
+  expectPicture(stage, metal, hitSphere, tone, 2 * kRounding + kFacets);
 }
 
 }  // namespace

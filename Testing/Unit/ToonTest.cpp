@@ -177,10 +177,14 @@ TEST_P(Toons, ADimLightOfOneColorIsNotDarkForThat)
   Stage stage = toonSphere(2);
   stage.instances = {instanceOf(mesh)};
   stage.instances[0].style.toonBands = 2;
-  stage.lights = {directional({0, 0, 1}, {0, 0, 0.6f})};
-  const Rgba8 color = at(draw(stage), kSide / 2, kSide / 2);
-  EXPECT_EQ(color.r, 0);
-  EXPECT_EQ(color.b, 255);
+  const Vec3f colors[] = {{0.6f, 0, 0}, {0, 0.6f, 0}, {0, 0, 0.6f}};
+  for (const Vec3f light : colors) {
+    stage.lights = {directional({0, 0, 1}, light)};
+    const Rgba8 color = at(draw(stage), kSide / 2, kSide / 2);
+    EXPECT_EQ(color.r, light.x > 0 ? 255 : 0);
+    EXPECT_EQ(color.g, light.y > 0 ? 255 : 0);
+    EXPECT_EQ(color.b, light.z > 0 ? 255 : 0);
+  }
 }
 
 TEST_P(Toons, TheHighlightIsAllOrNothing)

@@ -369,8 +369,7 @@ TEST(Arguments, UnknownOptionsAreNamedWithTheHelpToRead)
 
 TEST(Arguments, OptionsOfLaterVersionsAreNamedAsSuch)
 {
-  for (const std::string option :
-    { "--toon-steps", "--outline-width", "--edges", "--line-width", "--point-size" })
+  for (const std::string option : { "--edges", "--line-width", "--point-size" })
   {
     const std::string expected = option + " is not served by this version; ";
     EXPECT_EQ(renderErrorOf({ option + "=1" }).substr(0, expected.size()), expected);
@@ -383,8 +382,9 @@ TEST(Arguments, ValuesOfLaterVersionsAreNamedAsSuch)
   EXPECT_EQ(renderErrorOf({ "--reflection=mirror" }),
     "--reflection=mirror is unknown; choose one of: none, lambert, "
     "phong, blinn-phong, irradiance, oren-nayar, metallic");
-  EXPECT_EQ(renderErrorOf({ "--tone=toon" }),
-    "--tone=toon is not served by this version; choose one of: none, gooch, gooch-chapter");
+  EXPECT_EQ(renderErrorOf({ "--tone=sepia" }),
+    "--tone=sepia is unknown; choose one of: none, gooch, gooch-chapter, gooch-rtr4, "
+    "gooch-orange-book, metal, toon");
   EXPECT_EQ(renderErrorOf({ "--outline=hull" }),
     "--outline=hull is not served by this version; choose one of: none, normal");
   EXPECT_EQ(renderErrorOf({ "--outline=image" }),
@@ -507,6 +507,67 @@ TEST(Arguments, OptionsThatNeedOrExcludeEachOther)
   EXPECT_NE(renderErrorOf({ "--camera-position=1,1,1", "--camera-focal-point=1,1,1" }), "");
 }
 
+TEST(Arguments, TonesAndOutlinesHaveTheirNumbers)
+{
+  const MaterialSettings toon =
+    parseRender({ "--tone=toon", "--toon-steps=5", "--reflection=oren-nayar", "--roughness=0.7",
+                  "--outline=normal", "--outline-width=2.5", "--outline-opacity=0.4" })
+      .scene.material;
+  EXPECT_EQ(toon.tone, Tone::Toon);
+  EXPECT_EQ(toon.toonSteps, 5);
+  EXPECT_EQ(toon.outlineWidth, 2.5);
+  EXPECT_EQ(toon.outlineOpacity, 0.4);
+  EXPECT_EQ(parseRender({ "--tone=gooch", "--tone-light=upper-right" }).scene.material.toneLight,
+    ToneLight::UpperRight);
+  const MaterialSettings ramp =
+    parseRender({ "--toon-ramp=a.png", "--toon-ramp-by=highlight", "--toon-ramp-exponent=4" })
+      .scene.material;
+  EXPECT_EQ(ramp.tone, Tone::Ramp);
+  EXPECT_EQ(ramp.toonRamp, "a.png");
+  EXPECT_EQ(ramp.rampBy, RampBy::Highlight);
+  EXPECT_EQ(ramp.rampExponent, 4.0);
+  EXPECT_EQ(parseRender({ "--toon-ramp=a.png", "--toon-ramp-range=1,4" }).scene.material.rampRange,
+    (std::array<double, 2>{ 1, 4 }));
+  EXPECT_EQ(parseRender({ "--matcap=a.png" }).scene.material.tone, Tone::MatCap);
+}
+
+TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
+{
+  const struct
+  {
+    std::vector<std::string> options;
+    const char* error;
+  } cases[] = {
+    { { "--toon-steps=3" }, "--toon-steps needs --tone=toon or --tone=gooch" },
+    { { "--toon-steps=1", "--tone=toon" }, "--toon-steps=1 is not a whole number from 2 to 64" },
+    { { "--toon-steps=65", "--tone=toon" }, "--toon-steps=65 is not a whole number from 2 to 64" },
+    { { "--cool=0,0,1", "--tone=toon" },
+      "--cool needs a tone; add --tone=gooch or --tone=gooch-chapter" },
+    { { "--tone-light=scene", "--tone=toon" },
+      "--tone-light needs --tone=gooch or --toon-ramp=FILE" },
+    { { "--tone=gooch", "--matcap=a.png" }, "--matcap and --tone exclude each other; give one" },
+    { { "--toon-ramp=b.png", "--matcap=a.png" },
+      "--toon-ramp and --matcap exclude each other; give one" },
+    { { "--toon-ramp-by=depth" }, "--toon-ramp-by needs --toon-ramp=FILE" },
+    { { "--toon-ramp=a.png", "--toon-ramp-exponent=2" },
+      "--toon-ramp-exponent needs --toon-ramp-by=silhouette or highlight" },
+    { { "--toon-ramp=a.png", "--toon-ramp-by=highlight", "--toon-ramp-range=1,2" },
+      "--toon-ramp-range needs --toon-ramp-by=depth" },
+    { { "--toon-ramp=a.png", "--toon-ramp-range=0,2" },
+      "--toon-ramp-range=0,2 is not a range above 0" },
+    { { "--outline-width=2" }, "--outline-width needs --outline=normal" },
+    { { "--outline-opacity=0.5" }, "--outline-opacity needs --outline=normal" },
+    { { "--outline=normal", "--outline-width=0" }, "--outline-width=0 is not greater than 0" },
+    { { "--outline=normal", "--outline-width=1001" },
+      "--outline-width=1001 is more than 1000 pixels" },
+    { { "--outline=normal", "--outline-opacity=2" }, "--outline-opacity=2 is not from 0 to 1" },
+  };
+  for (const auto& one : cases)
+  {
+    EXPECT_EQ(renderErrorOf(one.options), one.error);
+  }
+}
+
 TEST(Arguments, ViewSharesTheSceneButHasNoOutput)
 {
   const auto request = parseArguments({ "view", "a.obj", "--tone=gooch" });
@@ -538,8 +599,10 @@ TEST(Arguments, HelpListsEveryServedOption)
       "--texture-role", "--texture-mode", "--texture-filter", "--texture-wrap", "--anisotropy",
       "--bump", "--bump-scale", "--normal-map", "--lightmap", "--procedural", "--procedural-scale",
       "--cool", "--warm", "--ambient", "--diffuse", "--specular", "--specular-power", "--light",
-      "--ambient-light", "--outline", "--outline-color", "--coloring-array", "--colormap",
-      "--coloring-range", "--samples", "--backface-culling", "--threads", "--window", "--stats" })
+      "--ambient-light", "--outline", "--outline-color", "--outline-width", "--outline-opacity",
+      "--toon-steps", "--tone-light", "--toon-ramp", "--toon-ramp-by", "--toon-ramp-exponent",
+      "--toon-ramp-range", "--matcap", "--coloring-array", "--colormap", "--coloring-range",
+      "--samples", "--backface-culling", "--threads", "--window", "--stats" })
   {
     EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
   }

@@ -89,7 +89,7 @@ TEST_F(RenderErrors, CommandLine)
   expectErrorOf({ "draw" }, { "unknown verb draw" });
   const std::string mesh = triangle();
   expectError(mesh, { "unknown option --foo", "limn help render" }, { "--foo" });
-  expectError(mesh, { "--toon-steps is not served by this version" }, { "--toon-steps=3" });
+  expectError(mesh, { "--line-width is not served by this version" }, { "--line-width=3" });
   expectError(mesh, { "no texture coordinates", "--procedural" }, { "--texture=a.png" });
   expectError(mesh, { "--opacity=1.5", "from 0 to 1" }, { "--opacity=1.5" });
   expectError(mesh, { "--shading=fong", "flat, gouraud, phong" }, { "--shading=fong" });

@@ -117,7 +117,20 @@ TEST_F(Render, EveryLookIsAPictureOfItsOwn)
     { "--tone=gooch-chapter" },
     { "--tone=gooch", "--cool=0,0.5,0" },
     { "--tone=gooch", "--warm=0.9,0,0" },
+    { "--tone=gooch", "--tone-light=upper-right" },
+    { "--tone=gooch", "--toon-steps=4" },
+    { "--tone=gooch-rtr4" },
+    { "--tone=gooch-orange-book" },
+    { "--tone=metal" },
+    { "--tone=toon" },
+    { "--tone=toon", "--toon-steps=5" },
+    { "--toon-ramp=" + meshFile("../Textures/toon_ramp.png") },
+    { "--toon-ramp=" + meshFile("../Textures/toon_ramp.png"), "--toon-ramp-by=silhouette" },
+    { "--toon-ramp=" + meshFile("../Textures/toon_ramp.png"), "--toon-ramp-by=highlight" },
+    { "--matcap=" + meshFile("../Textures/lit_sphere.png") },
     { "--outline=normal" },
+    { "--outline=normal", "--outline-width=2" },
+    { "--outline=normal", "--outline-opacity=0.5" },
     { "--outline=normal", "--outline-color=1,0,0" },
     { "--color=1,0.2,0.1" },
     { "--diffuse=0.2,0.9,0.1" },
@@ -241,6 +254,14 @@ TEST_F(RenderFloor, WarmAndCoolAreTheEndsOfTheTonesThemselves)
   EXPECT_EQ(differenceFrom("0.8,0.4,0.2", { warm, cool, dull, "--tone=gooch" }), kSame);
   EXPECT_EQ(differenceFrom("0,0.2,0.6", { warm, cool, dull, "--tone=gooch-chapter" }), kSame);
   EXPECT_EQ(differenceFrom("1,0.4,0.6", { "--color=1,0,1", dull, "--tone=gooch" }), kSame);
+}
+
+TEST_F(RenderFloor, TheBooksConstantsAreTheEndsOfTheirTones)
+{
+  // Warm, as the floor faces the light: 0.3 + 0.25 k_d, and where r.v = 1 white.
+  EXPECT_EQ(differenceFrom("1,1,1", { "--tone=gooch-rtr4" }), kSame);
+  // 0.6 + 0.45 x 0.75 and the highlight: above 1.
+  EXPECT_EQ(differenceFrom("1,1,1", { "--tone=gooch-orange-book" }), kSame);
 }
 
 TEST_F(Render, BackFacesOfAnOpenSheetCanBeLeftOut)

@@ -39,6 +39,12 @@ CHOICES = {
         ["--tone=gooch-chapter"],
         ["--tone=gooch", "--tone-over-data=undertone"],
         ["--tone=gooch", "--tone-over-data=legend-safe", "--legend-safe-range=20"],
+        ["--tone=gooch-rtr4", "--toon-steps=4"],
+        ["--tone=metal", "--tone-light=upper-right"],
+        ["--tone=toon", "--reflection=oren-nayar"],
+        ["--tone=toon", "--toon-steps=5"],
+        ["--toon-ramp=Data/Textures/toon_ramp.png"],
+        ["--matcap=Data/Textures/lit_sphere.png"],
     ],
     "texture": [
         [],
@@ -60,6 +66,11 @@ CHOICES = {
         ["--shading=phong", "--normals=uniform", "--feature-angle=5"],
     ],
     "camera": [[], ["--camera-orthographic"]],
+    "outline": [
+        [],
+        ["--outline=normal", "--outline-opacity=0.5"],
+        ["--outline=normal", "--outline-width=3"],
+    ],
     "opacity": [[], ["--opacity=0.6"]],
     "samples": [["--samples=" + n] for n in ("1", "2", "4", "8", "16")],
 }

@@ -16,8 +16,11 @@
 #include "vtkLimnShaderProperty.h"
 #include "vtkLimnUniforms.h"
 
+#include "vtkImageData.h"
 #include "vtkMatrix4x4.h"
+#include "vtkTexture.h"
 
+#include <array>
 #include <sstream>
 #include <string>
 
@@ -113,7 +116,20 @@ void checkPropertyCopy()
   property->SetLegendSafeRange(9);
   property->SetOutlineToNormal();
   property->SetOutlineThreshold(0.9);
+  property->SetOutlineWidth(2.5);
   property->SetOutlineColor(1, 0, 1);
+  property->SetOutlineOpacity(0.6);
+  property->SetToonBands(5);
+  property->SetToneLightToUpperRight();
+  property->SetToneHighlightToWhite();
+  property->SetToonRampByToSilhouette();
+  property->SetToonRampExponent(3);
+  property->SetToonRampRange(1, 9);
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(1, 1, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  property->SetToonRampImage(picture);
+  property->SetMatCapImage(picture);
   property->SetTextureRoleToSurface();
   property->SetTextureModeToDecal();
   property->SetProceduralTextureToMarble();
@@ -137,6 +153,8 @@ void checkPropertyCopy()
   CHECK_EQUAL(settings(copied.str()), settings(original.str()));
   CHECK_EQUAL(std::string(copy->GetReflectionModelAsString()), "Phong");
   CHECK_EQUAL(copy->GetOutlineThreshold(), 0.9);
+  CHECK_EQUAL(copy->GetMatCap(), property->GetMatCap());
+  CHECK_EQUAL(copy->GetToonRamp()->GetInput(), picture.GetPointer());
 
   property->SetShadingFrequency(99);
   CHECK_EQUAL(property->GetShadingFrequency(), int(vtkLimnProperty::FREQUENCY_PHONG));
@@ -149,6 +167,34 @@ void checkPropertyCopy()
   CHECK_EQUAL(property->GetMTime(), time);
   property->SetToneToNone();
   CHECK(property->GetMTime() > time);
+}
+
+void checkGoochConstants()
+{
+  const auto has =
+    [](vtkLimnProperty* property, const char* highlight, std::array<double, 8> constants)
+  {
+    CHECK_EQUAL(std::string(property->GetToneAsString()), "Gooch");
+    CHECK_EQUAL(std::string(property->GetToneHighlightAsString()), highlight);
+    const double* const cool = property->GetCoolColor();
+    const double* const warm = property->GetWarmColor();
+    const std::array<double, 8> set = { cool[0], cool[1], cool[2], property->GetCoolSurface(),
+      warm[0], warm[1], warm[2], property->GetWarmSurface() };
+    CHECK(set == constants);
+  };
+  vtkNew<vtkLimnProperty> property;
+  property->SetGoochToRTR4();
+  has(property, "White", { 0, 0, 0.55, 0.25, 0.3, 0.3, 0, 0.25 });
+  property->SetGoochToOrangeBook();
+  has(property, "Reflected", { 0, 0, 0.6, 0.45, 0.6, 0.6, 0, 0.45 });
+  CHECK_EQUAL(property->GetDiffuseColor()[1], 0.75);
+  CHECK_EQUAL(property->GetSpecularPower(), 32.0);
+  CHECK_EQUAL(property->GetSpecular(), 1.0);
+  property->SetMetalToSteel();
+  CHECK_EQUAL(std::string(property->GetToneAsString()), "Metal");
+  CHECK_EQUAL(property->GetWarmColor()[0], 2.0);
+  property->SetGoochTo1998();
+  has(property, "Added", { 0, 0, 0.4, 0.2, 0.4, 0.4, 0, 0.6 });
 }
 
 void checkShaderProperty()
@@ -237,6 +283,7 @@ int TestLimnObjects(int, char*[])
   checkPrint<vtkLimnUniforms>("vtkLimnUniforms");
   checkActorCopy();
   checkPropertyCopy();
+  checkGoochConstants();
   checkLightCopy();
   checkShaderProperty();
   checkUniforms();

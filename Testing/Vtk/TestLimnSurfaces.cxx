@@ -11,6 +11,7 @@
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
+#include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLookupTable.h"
 #include "vtkPointData.h"
@@ -259,6 +260,65 @@ void checkStyles()
   CHECK_EQUAL(colorWith(outlined), (Pixel{ 102, 102, 102 }));
 }
 
+/// A plane that looks at the eye, through what steps and paints its tone.
+void checkTones()
+{
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(1, 1, 1);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const Pixel ink = { 200, 100, 50 };
+  std::copy(ink.begin(), ink.end(), static_cast<unsigned char*>(picture->GetScalarPointer()));
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  const auto colorWith = [&](double light, const std::function<void(vtkLimnProperty*)>& arrange)
+  {
+    Stage stage;
+    stage.LookFlat();
+    stage.Mapper->SetInputData(data);
+    stage.Renderer->AutomaticLightCreationOff();
+    vtkNew<vtkLight> lamp;
+    lamp->SetLightTypeToHeadlight();
+    lamp->SetIntensity(light);
+    stage.Renderer->AddLight(lamp);
+    auto* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+    property->LightingOn();
+    property->SetColor(1, 0.6, 0.2);
+    arrange(property);
+    return render(stage.Window).At(20, 20);
+  };
+  const auto toon = [](vtkLimnProperty* property) { property->SetToneToToon(); };
+  const auto toon4 = [](vtkLimnProperty* property)
+  {
+    property->SetToneToToon();
+    property->SetToonBands(4);
+  };
+  // Three steps from 1/3 and 2/3 on, and four.
+  CHECK_EQUAL(colorWith(0.3, toon), (Pixel{ 0, 0, 0 }));
+  CHECK_EQUAL(colorWith(0.4, toon), (Pixel{ 128, 76, 26 }));
+  CHECK_EQUAL(colorWith(0.7, toon), (Pixel{ 255, 153, 51 }));
+  CHECK_EQUAL(colorWith(0.3, toon4), (Pixel{ 85, 51, 17 }));
+  const auto ramp = [&](vtkLimnProperty* property)
+  {
+    property->SetToneToRamp();
+    property->SetToonRampImage(picture);
+    property->SetColor(1, 1, 1);
+  };
+  CHECK_EQUAL(colorWith(1, ramp), ink);
+  const auto matCap = [&](vtkLimnProperty* property)
+  {
+    property->SetToneToMatCap();
+    property->SetMatCapImage(picture);
+    property->SetColor(1, 1, 1);
+  };
+  CHECK_EQUAL(colorWith(1, matCap), ink);
+  const auto aside = [](vtkLimnProperty* property)
+  {
+    property->SetToneToGooch();
+    property->SetToneLightToUpperRight();
+  };
+  // n.l = 0: the mean of (1, 0.76, 0.12) and (0.2, 0.12, 0.44).
+  CHECK_EQUAL(colorWith(1, aside), (Pixel{ 153, 112, 71 }));
+}
+
 // One property, looked at through all of them in turn: none leaves a trace in the next.
 void checkLocalModels()
 {
@@ -435,6 +495,7 @@ int TestLimnSurfaces(int, char*[])
   checkVertexNormals();
   checkManyNormalsOfOneMapper();
   checkFlatPoints();
+  checkTones();
   checkLocalModels();
   checkPolygonsAndStrips();
   checkPointTypes();

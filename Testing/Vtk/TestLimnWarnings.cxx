@@ -15,6 +15,7 @@
 #include "vtkPlane.h"
 #include "vtkPropCollection.h"
 #include "vtkTextActor.h"
+#include "vtkTexture.h"
 
 #include <array>
 #include <initializer_list>
@@ -223,6 +224,31 @@ void checkBrokenReflection()
     { "RefractiveIndex of its vtkLimnProperty has the value 0.9; it has to be a finite number, at "
       "least 1.",
       [](vtkLimnProperty* property) { property->SetRefractiveIndex(1.5, 0.9, 1.5); } },
+    { "OutlineWidth of its vtkLimnProperty has the value -3; it has to be a finite number, not "
+      "negative.",
+      [](vtkLimnProperty* property) { property->SetOutlineWidth(-3); } },
+    { "ToonRamp of its vtkLimnProperty is not set, and the tone Ramp needs it.",
+      [](vtkLimnProperty* property) { property->SetToneToRamp(); } },
+    { "MatCap of its vtkLimnProperty is not set, and the tone MatCap needs it.",
+      [](vtkLimnProperty* property) { property->SetToneToMatCap(); } },
+    { "ToonRampRange of its vtkLimnProperty has the value 5; it has to be above 0 and below the "
+      "range's other end.",
+      [](vtkLimnProperty* property)
+      {
+        vtkNew<vtkTexture> texture;
+        property->SetToneToRamp();
+        property->SetToonRamp(texture);
+        property->SetToonRampRange(5, 2);
+      } },
+    { "ToonRampExponent of its vtkLimnProperty has the value -1; it has to be a finite number, not "
+      "negative.",
+      [](vtkLimnProperty* property)
+      {
+        vtkNew<vtkTexture> texture;
+        property->SetToneToRamp();
+        property->SetToonRamp(texture);
+        property->SetToonRampExponent(-1);
+      } },
   };
   for (const auto& one : cases)
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StyleFromProperty.h"
 
+#include "LoadedTextures.h"
 #include "SurfaceShaderInternals.h"
 
 #include "vtkLimnProperty.h"
@@ -121,6 +122,12 @@ Tone toTone(int tone)
       return Tone::kGooch;
     case vtkLimnProperty::TONE_GOOCH_CHAPTER:
       return Tone::kGoochChapter;
+    case vtkLimnProperty::TONE_METAL:
+      return Tone::kMetal;
+    case vtkLimnProperty::TONE_RAMP:
+      return Tone::kRamp;
+    case vtkLimnProperty::TONE_MAT_CAP:
+      return Tone::kMatCap;
     default:
       return Tone::kNone;
   }
@@ -139,20 +146,100 @@ ToneOverData toToneOverData(int tone)
   }
 }
 
+ToneHighlight toHighlight(int highlight)
+{
+  switch (highlight)
+  {
+    case vtkLimnProperty::TONE_HIGHLIGHT_REFLECTED:
+      return ToneHighlight::kReflected;
+    case vtkLimnProperty::TONE_HIGHLIGHT_WHITE:
+      return ToneHighlight::kWhite;
+    case vtkLimnProperty::TONE_HIGHLIGHT_NONE:
+      return ToneHighlight::kNone;
+    default:
+      return ToneHighlight::kAdded;
+  }
+}
+
+RampDetail toDetail(int by)
+{
+  switch (by)
+  {
+    case vtkLimnProperty::TOON_RAMP_BY_SILHOUETTE:
+      return RampDetail::kSilhouette;
+    case vtkLimnProperty::TOON_RAMP_BY_HIGHLIGHT:
+      return RampDetail::kHighlight;
+    default:
+      return RampDetail::kDepth;
+  }
+}
+
+/// The picture of the tone that has one.
+vtkTexture* rampTextureOf(vtkLimnProperty* property)
+{
+  switch (property->GetTone())
+  {
+    case vtkLimnProperty::TONE_RAMP:
+      return property->GetToonRamp();
+    case vtkLimnProperty::TONE_MAT_CAP:
+      return property->GetMatCap();
+    default:
+      return nullptr;
+  }
+}
+
+ToneRamp rampOf(vtkLimnProperty* property)
+{
+  ToneRamp ramp;
+  ramp.detail = toDetail(property->GetToonRampBy());
+  ramp.exponent = static_cast<float>(property->GetToonRampExponent());
+  ramp.nearest = static_cast<float>(property->GetToonRampRange()[0]);
+  ramp.farthest = static_cast<float>(property->GetToonRampRange()[1]);
+  if (vtkTexture* const texture = rampTextureOf(property))
+  {
+    const LoadedTexture& loaded = loadedTextureOf(texture);
+    ramp.image = loaded.image.empty() ? nullptr : &loaded.image;
+  }
+  return ramp;
+}
+
+void setTone(vtkLimnProperty* property, Style& style)
+{
+  style.tone = toTone(property->GetTone());
+  style.toneCool = toVec3f(property->GetCoolColor());
+  style.toneWarm = toVec3f(property->GetWarmColor());
+  style.coolSurface = static_cast<float>(property->GetCoolSurface());
+  style.warmSurface = static_cast<float>(property->GetWarmSurface());
+  style.toneLight = property->GetToneLight() == vtkLimnProperty::TONE_LIGHT_UPPER_RIGHT
+                      ? ToneLight::kUpperRight
+                      : ToneLight::kFirst;
+  style.toneHighlight = toHighlight(property->GetToneHighlight());
+  style.toneOverData = toToneOverData(property->GetToneOverData());
+  style.undertone = static_cast<float>(property->GetUndertone());
+  style.legendSafeRange = static_cast<float>(property->GetLegendSafeRange());
+  style.ramp = rampOf(property);
+  if (style.tone == Tone::kRamp || style.tone == Tone::kMatCap)
+  {
+    // That it could not be loaded has been said.
+    style.tone = style.ramp.image ? style.tone : Tone::kNone;
+    return;
+  }
+  constexpr int kToonBands = 3;
+  const bool isToon = property->GetTone() == vtkLimnProperty::TONE_TOON;
+  if (isToon || style.tone != Tone::kNone)
+  {
+    style.toonBands = property->GetToonBands();
+    style.toonBands = isToon && style.toonBands < 2 ? kToonBands : style.toonBands;
+  }
+}
+
 void setIllustration(vtkLimnProperty* property, Style& style)
 {
   style.reflection = toReflection(property->GetReflectionModel());
   const int local = localModelOf(property);
   style.fresnel = property->GetFresnel() && local == 0;
   style.fallOff = property->GetFallOff() && (local == 0 || local >= 3);
-  style.tone = toTone(property->GetTone());
-  style.toneCool = toVec3f(property->GetCoolColor());
-  style.toneWarm = toVec3f(property->GetWarmColor());
-  style.coolSurface = static_cast<float>(property->GetCoolSurface());
-  style.warmSurface = static_cast<float>(property->GetWarmSurface());
-  style.toneOverData = toToneOverData(property->GetToneOverData());
-  style.undertone = static_cast<float>(property->GetUndertone());
-  style.legendSafeRange = static_cast<float>(property->GetLegendSafeRange());
+  setTone(property, style);
   style.outlineWidth = static_cast<float>(property->GetOutlineWidth());
   style.outlineColor = toVec3f(property->GetOutlineColor());
   style.outlineOpacity = static_cast<float>(property->GetOutlineOpacity());
@@ -266,6 +353,29 @@ std::string unusableTextureValueOf(vtkProperty* property)
   return {};
 }
 
+std::string unusableToneOf(vtkLimnProperty* property)
+{
+  const int tone = property->GetTone();
+  const bool isRamp = tone == vtkLimnProperty::TONE_RAMP;
+  if ((isRamp || tone == vtkLimnProperty::TONE_MAT_CAP) && !rampTextureOf(property))
+  {
+    return std::string(isRamp ? "ToonRamp" : "MatCap") + " of its " + property->GetClassName() +
+           " is not set, and the tone " + property->GetToneAsString() + " needs it.";
+  }
+  const double* const range = property->GetToonRampRange();
+  const bool isRange = range[0] > 0 && range[1] > range[0] && std::isfinite(range[1]);
+  if (isRamp && !isRange && !(range[0] == 0 && range[1] == 0))
+  {
+    return fault(property, "ToonRampRange", range[0], "above 0 and below the range's other end");
+  }
+  const double exponent = property->GetToonRampExponent();
+  if (isRamp && !(std::isfinite(exponent) && exponent >= 0))
+  {
+    return fault(property, "ToonRampExponent", exponent, "a finite number, not negative");
+  }
+  return {};
+}
+
 } // namespace
 
 std::string unusableValueOf(vtkProperty* property)
@@ -317,7 +427,8 @@ std::string unusableValueOf(vtkProperty* property)
       }
     }
   }
-  return unusableTextureValueOf(property);
+  const std::string unusable = limn ? unusableToneOf(limn) : std::string();
+  return unusable.empty() ? unusableTextureValueOf(property) : unusable;
 }
 
 Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CheckIllustration.h"
+
+#include "RenderSettings.h"
+#include "UserError.h"
+
+#include <string>
+#include <utility>
+
+namespace limn::viewer
+{
+namespace
+{
+
+/// Of cool and warm.
+bool isScale(Tone tone)
+{
+  return tone != Tone::None && tone != Tone::Toon && tone != Tone::Ramp && tone != Tone::MatCap;
+}
+
+void checkRamp(const MaterialSettings& material)
+{
+  const bool isByDepth = material.rampBy.value_or(RampBy::Depth) == RampBy::Depth;
+  if (material.rampExponent && isByDepth)
+  {
+    throw UserError("--toon-ramp-exponent needs --toon-ramp-by=silhouette or highlight");
+  }
+  if (material.rampRange && !isByDepth)
+  {
+    throw UserError("--toon-ramp-range needs --toon-ramp-by=depth");
+  }
+}
+
+void checkToneOverData(const MaterialSettings& material)
+{
+  const auto over = material.toneOverData.value_or(ToneOverData::Classic);
+  if (material.toneOverData && !isScale(material.tone))
+  {
+    throw UserError("--tone-over-data needs a tone; add --tone=gooch");
+  }
+  if (material.undertone && over != ToneOverData::Undertone)
+  {
+    throw UserError("--undertone needs --tone-over-data=undertone");
+  }
+  if (material.legendSafeRange && over != ToneOverData::LegendSafe)
+  {
+    throw UserError("--legend-safe-range needs --tone-over-data=legend-safe");
+  }
+}
+
+} // namespace
+
+void takePictures(MaterialSettings& material)
+{
+  const bool isRamp = !material.toonRamp.empty();
+  const bool isMatCap = !material.matCap.empty();
+  if ((isRamp || isMatCap) && material.tone != Tone::None)
+  {
+    throw UserError(std::string(isRamp ? "--toon-ramp" : "--matcap") +
+                    " and --tone exclude each other; give one");
+  }
+  if (isRamp && isMatCap)
+  {
+    throw UserError("--toon-ramp and --matcap exclude each other; give one");
+  }
+  if (!isRamp && (material.rampBy || material.rampExponent || material.rampRange))
+  {
+    throw UserError(std::string(material.rampBy         ? "--toon-ramp-by"
+                                : material.rampExponent ? "--toon-ramp-exponent"
+                                                        : "--toon-ramp-range") +
+                    " needs --toon-ramp=FILE");
+  }
+  material.tone = isRamp ? Tone::Ramp : isMatCap ? Tone::MatCap : material.tone;
+}
+
+void checkIllustration(const MaterialSettings& material)
+{
+  checkRamp(material);
+  checkToneOverData(material);
+  if (!isScale(material.tone) && (material.cool || material.warm))
+  {
+    throw UserError(std::string(material.cool ? "--cool" : "--warm") +
+                    " needs a tone; add --tone=gooch or --tone=gooch-chapter");
+  }
+  if (material.toonSteps && !isScale(material.tone) && material.tone != Tone::Toon)
+  {
+    throw UserError("--toon-steps needs --tone=toon or --tone=gooch");
+  }
+  if (material.toneLight && !isScale(material.tone) && material.tone != Tone::Ramp)
+  {
+    throw UserError("--tone-light needs --tone=gooch or --toon-ramp=FILE");
+  }
+  const std::pair<const char*, bool> options[] = {
+    { "--outline-color", material.outlineColor.has_value() },
+    { "--outline-width", material.outlineWidth.has_value() },
+    { "--outline-opacity", material.outlineOpacity.has_value() },
+  };
+  for (const auto& [name, isGiven] : options)
+  {
+    if (isGiven && material.outline == Outline::None)
+    {
+      throw UserError(std::string(name) + " needs --outline=normal");
+    }
+  }
+}
+
+} // namespace limn::viewer

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef limn_viewer_CheckIllustration_h
+#define limn_viewer_CheckIllustration_h
+
+namespace limn::viewer
+{
+
+struct MaterialSettings;
+
+/// Makes a ramp or a matcap the tone. Throws UserError where options exclude each other.
+void takePictures(MaterialSettings& material);
+
+/// Throws UserError for an option that the picture would not show. For a picture alone: in a window
+/// keys choose tone and outline.
+void checkIllustration(const MaterialSettings& material);
+
+} // namespace limn::viewer
+
+#endif
