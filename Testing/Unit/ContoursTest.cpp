@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Data/Generator/GeneratedMeshes.h"
+
 #include "Rendering/Lines/Contours.h"
+#include "Rendering/Mesh/WeldVertices.h"
 #include "Testing/Unit/Polyhedra.h"
 #include "Testing/Unit/TestScene.h"
 
@@ -166,6 +169,38 @@ TEST(Contours, OfClosedMeshesAreClosedInEveryFrameOfATurn)
       ASSERT_EQ(oddPoints(contours.chains), 0u) << frame;
       ASSERT_EQ(oddPoints(model.edges(stage).chains), 0u) << frame;
     }
+}
+
+// Where its patches end the teapot is open; there alone a contour may end.
+TEST(Contours, OfTheTeapotEndAtItsBordersOnlyInEveryFrameOfATurn)
+{
+  const GeneratedMesh generated = teapot(5);
+  Polyhedron mesh;
+  mesh.positions = generated.positions;
+  mesh.triangles = generated.triangles();
+  const std::vector<std::uint32_t> place = weldVertices(mesh.view(), 0, 2);
+  for (Triangle& triangle : mesh.triangles)
+    for (std::uint32_t& v : triangle.vertex)
+      v = place[v];
+  const std::vector<Vec3f> normals = vertexNormals(mesh.view(), NormalWeight::kAngle);
+  const Model model(mesh.view(), normals);
+  std::size_t ends = 0;
+  for (int frame = 0; frame < 360; ++frame) {
+    const double angle = frame * kPi / 180;
+    const Vec3d eye = {9 * std::cos(angle), 4.3, 9 * std::sin(angle)};
+    const Stage stage = stageOf(testing::perspectiveView(eye, {0, 0, 0}, 40, {1, 30}));
+    const auto isFront = [&](std::uint32_t v) {
+      return dot(vec3Cast<double>(normals[v]), eye - mesh.view().position(v)) >= 0;
+    };
+    std::size_t crossedBorders = 0;
+    for (const MeshEdge& edge : model.table.edges)
+      crossedBorders +=
+          edge.faceCount % 2 != 0 && isFront(edge.vertex[0]) != isFront(edge.vertex[1]) ? 1 : 0;
+    ASSERT_EQ(oddPoints(model.smooth(stage).chains), crossedBorders) << frame;
+    ends += crossedBorders;
+    ASSERT_GT(model.smooth(stage).chains.vertex.size(), 100u);
+  }
+  RecordProperty("ends", std::to_string(ends));
 }
 
 TEST(Contours, FollowHardEdgesWhereOneSideIsSeen)
