@@ -63,6 +63,38 @@ void requireColoringArray(const ColoringSettings& coloring)
   }
 }
 
+void checkLines(const SceneSettings& scene)
+{
+  const LineSettings& lines = scene.lines;
+  const auto has = [&](LineKind kind)
+  { return std::find(lines.kinds.begin(), lines.kinds.end(), kind) != lines.kinds.end(); };
+  const std::pair<const char*, bool> options[] = { { "--stroke-width", lines.width.has_value() },
+    { "--outer-width", lines.outerWidth.has_value() },
+    { "--stroke-color", lines.color.has_value() },
+    { "--stroke-opacity", lines.opacity.has_value() },
+    { "--stroke-taper", lines.taper.has_value() }, { "--stroke-dash", lines.dash.has_value() },
+    { "--hidden-lines", lines.hidden.has_value() } };
+  for (const auto& [name, isGiven] : options)
+  {
+    if (isGiven && lines.kinds.empty())
+    {
+      throw UserError(std::string(name) + " needs lines; add --lines=crease or another kind");
+    }
+  }
+  if (lines.creaseAngleDegrees && !has(LineKind::Crease) && !has(LineKind::Contour))
+  {
+    throw UserError("--crease-angle needs --lines=crease or --lines=contour");
+  }
+  if (lines.idArray && !has(LineKind::Ids))
+  {
+    throw UserError("--ids-array needs --lines=ids");
+  }
+  if (scene.pixelsPerInch && (!lines.width || lines.width->unit == 0))
+  {
+    throw UserError("--dpi needs --stroke-width in pt or mm");
+  }
+}
+
 /// For a picture alone: in a window keys choose the shading.
 void checkShading(const MaterialSettings& material)
 {
@@ -283,6 +315,7 @@ Request parseRender(const Arguments& arguments)
   checkScene(scene, "render");
   checkShading(scene.material);
   checkIllustration(scene.material);
+  checkLines(scene);
   checkEffects(settings);
   checkReflection(scene.material);
   checkTextures(scene.texture);

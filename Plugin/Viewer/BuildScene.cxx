@@ -18,6 +18,8 @@
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
+#include <algorithm>
+
 namespace limn::viewer
 {
 namespace
@@ -317,6 +319,58 @@ void addLights(const SceneSettings& settings, vtkRenderer& renderer)
   }
 }
 
+void setLineKinds(const std::vector<LineKind>& kinds, vtkLimnProperty& property)
+{
+  const auto has = [&](LineKind kind)
+  { return std::find(kinds.begin(), kinds.end(), kind) != kinds.end(); };
+  property.SetCreaseLines(has(LineKind::Crease));
+  property.SetBorderLines(has(LineKind::Border));
+  property.SetNonManifoldLines(has(LineKind::NonManifold));
+  property.SetIdLines(has(LineKind::Ids));
+  property.SetNormalLines(has(LineKind::Normals));
+  property.SetContourLines(has(LineKind::Contour));
+  property.SetRidgeLines(has(LineKind::Ridge));
+  property.SetValleyLines(has(LineKind::Valley));
+  property.SetSuggestiveLines(has(LineKind::Suggestive));
+}
+
+int hiddenLinesOf(HiddenLines hidden)
+{
+  switch (hidden)
+  {
+    case HiddenLines::Dashed:
+      return vtkLimnProperty::HIDDEN_LINES_DASHED;
+    case HiddenLines::Thin:
+      return vtkLimnProperty::HIDDEN_LINES_THIN;
+    case HiddenLines::Off:
+      break;
+  }
+  return vtkLimnProperty::HIDDEN_LINES_OFF;
+}
+
+void applyLines(const LineSettings& lines, vtkLimnProperty& property)
+{
+  setLineKinds(lines.kinds, property);
+  property.SetHiddenLines(hiddenLinesOf(lines.hidden.value_or(HiddenLines::Off)));
+  property.SetIdArrayName(lines.idArray ? lines.idArray->c_str() : nullptr);
+  if (lines.creaseAngleDegrees)
+  {
+    property.SetCreaseAngle(*lines.creaseAngleDegrees);
+  }
+  if (lines.width)
+  {
+    property.SetStrokeWidth(lines.width->value);
+    property.SetStrokeUnit(lines.width->unit);
+  }
+  property.SetOuterWidthFactor(lines.outerWidth.value_or(1));
+  property.SetStrokeColor(lines.color.value_or(Color{ 0, 0, 0 }).data());
+  property.SetStrokeOpacity(lines.opacity.value_or(1));
+  property.SetStrokeTaper(lines.taper.value_or(0));
+  const std::array<double, 2> dash = lines.dash.value_or(std::array<double, 2>{ 0, 0 });
+  property.SetStrokeDash(dash[0]);
+  property.SetStrokeGap(dash[1]);
+}
+
 void addMeshes(
   const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
 {
@@ -330,6 +384,7 @@ void addMeshes(
     applyMaterial(settings.material, *property);
     property->SetToonRamp(pictures.ramp.Get());
     property->SetMatCap(pictures.matCap.Get());
+    applyLines(settings.lines, *property);
     vtkNew<vtkLimnActor> actor;
     actor->SetMapper(mapper);
     actor->SetProperty(property);

@@ -72,6 +72,23 @@ const Choices<Outline>& outlines()
   return choices;
 }
 
+const Choices<LineKind>& lineKinds()
+{
+  static const Choices<LineKind> choices = { { "crease", LineKind::Crease },
+    { "border", LineKind::Border }, { "non-manifold", LineKind::NonManifold },
+    { "ids", LineKind::Ids }, { "normals", LineKind::Normals }, { "contour", LineKind::Contour },
+    { "ridge", LineKind::Ridge }, { "valley", LineKind::Valley },
+    { "suggestive", LineKind::Suggestive } };
+  return choices;
+}
+
+const Choices<HiddenLines>& hiddenLines()
+{
+  static const Choices<HiddenLines> choices = { { "off", HiddenLines::Off },
+    { "dashed", HiddenLines::Dashed }, { "thin", HiddenLines::Thin } };
+  return choices;
+}
+
 const Choices<TextureFilter>& textureFilters()
 {
   static const Choices<TextureFilter> choices = { { "nearest", TextureFilter::Nearest },

@@ -20,6 +20,8 @@ const Choices<ToneOverData>& tonesOverData();
 const Choices<ToneLight>& toneLights();
 const Choices<RampBy>& rampDetails();
 const Choices<Outline>& outlines();
+const Choices<LineKind>& lineKinds();
+const Choices<HiddenLines>& hiddenLines();
 const Choices<TextureFilter>& textureFilters();
 const Choices<TextureWrap>& textureWraps();
 const Choices<TextureRole>& textureRoles();

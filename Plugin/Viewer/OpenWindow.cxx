@@ -77,6 +77,10 @@ OpenedWindow openWindow(Window kind, const SceneSettings& scene)
   OpenedWindow opened = kind == Window::Gl ? makeGlWindow() : makeCpuWindow();
   opened.window->SetSize(scene.resolution[0], scene.resolution[1]);
   opened.window->SetMultiSamples(scene.samples);
+  if (scene.pixelsPerInch)
+  {
+    opened.window->SetDPI(static_cast<int>(*scene.pixelsPerInch));
+  }
   opened.window->AddRenderer(opened.renderer);
   return opened;
 }

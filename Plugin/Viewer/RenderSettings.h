@@ -234,6 +234,47 @@ struct MaterialSettings
   bool backfaceCulling = false;
 };
 
+enum class HiddenLines
+{
+  Off,
+  Dashed,
+  Thin
+};
+
+enum class LineKind
+{
+  Crease,
+  Border,
+  NonManifold,
+  Ids,
+  Normals,
+  Contour,
+  Ridge,
+  Valley,
+  Suggestive
+};
+
+struct StrokeWidth
+{
+  double value;
+  int unit; ///< of vtkLimnProperty::StrokeUnits
+};
+
+/// Lines along the mesh, drawn as strokes.
+struct LineSettings
+{
+  std::vector<LineKind> kinds; ///< none: no lines
+  std::optional<double> creaseAngleDegrees;
+  std::optional<std::string> idArray; ///< cell data; the cell scalars if not given
+  std::optional<StrokeWidth> width;
+  std::optional<double> outerWidth; ///< times the width
+  std::optional<Color> color;
+  std::optional<double> opacity;
+  std::optional<double> taper;               ///< pixels
+  std::optional<std::array<double, 2>> dash; ///< dash and gap, pixels
+  std::optional<HiddenLines> hidden;
+};
+
 struct ColoringSettings
 {
   std::string array;                   ///< empty: not coloured by an array
@@ -248,9 +289,11 @@ struct SceneSettings
   CameraSettings camera;
   MaterialSettings material;
   TextureSettings texture;
+  LineSettings lines;
   ColoringSettings coloring;
-  std::vector<LightSettings> lights; ///< none: a headlight
-  Color ambientLight = { 0, 0, 0 };  ///< I_a
+  std::optional<double> pixelsPerInch; ///< of the picture, for lines in points and millimetres
+  std::vector<LightSettings> lights;   ///< none: a headlight
+  Color ambientLight = { 0, 0, 0 };    ///< I_a
   Color background = { 0.94, 0.95, 0.97 };
   int samples = 4;
   int threads = 0; ///< 0: not given, one for each core unless LIMN_THREADS says otherwise

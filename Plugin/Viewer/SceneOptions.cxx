@@ -251,6 +251,104 @@ void addIllustration(OptionList& options, MaterialSettings& material)
   options.add("--outline-opacity", "a", "0 to 1 (1)", into(material.outlineOpacity, parseShare));
 }
 
+std::vector<LineKind> parseLineKinds(Text option, Text text)
+{
+  std::vector<LineKind> kinds;
+  std::size_t begin = 0;
+  while (begin <= text.size())
+  {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const LineKind kind = parseChoice(option, text.substr(begin, end - begin), lineKinds());
+    if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end())
+    {
+      throw UserError(option + "=" + text + " names a kind twice; name it once");
+    }
+    kinds.push_back(kind);
+    begin = end + 1;
+  }
+  return kinds;
+}
+
+StrokeWidth parseStrokeWidth(Text option, Text text)
+{
+  const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
+  for (int unit = 0; unit < 3; ++unit)
+  {
+    const std::size_t digits = text.size() < 2 ? 0 : text.size() - 2;
+    if (text.compare(digits, 2, units[unit]) == 0)
+    {
+      return { parsePositive(option, text.substr(0, digits)), unit };
+    }
+  }
+  return { parsePositive(option, text), 0 };
+}
+
+std::array<double, 2> parseDash(Text option, Text text)
+{
+  const std::vector<double> lengths = parseNumbers(option, text, 2, 2);
+  if (lengths[0] <= 0 || lengths[1] <= 0 || lengths[0] + lengths[1] < 0.5)
+  {
+    throw UserError(option + "=" + text + ": dash and gap have to be above 0, and half a pixel");
+  }
+  return { lengths[0], lengths[1] };
+}
+
+double parseNotNegative(Text option, Text text)
+{
+  const double number = parseNumber(option, text);
+  if (number < 0)
+  {
+    throw UserError(option + "=" + text + " is below 0");
+  }
+  return number;
+}
+
+double parseOuterWidth(Text option, Text text)
+{
+  const double factor = parseNotNegative(option, text);
+  if (factor > 256)
+  {
+    throw UserError(option + "=" + text + " is greater than 256");
+  }
+  return factor;
+}
+
+double parsePixelsPerInch(Text option, Text text)
+{
+  return parseInteger(option, text, 1, 100000);
+}
+
+void addLines(OptionList& options, SceneSettings& scene)
+{
+  LineSettings& lines = scene.lines;
+  options.startGroup("Lines of the mesh, drawn as strokes of an exact width");
+  options.add("--lines", "kinds",
+    "one or more, with commas between them: crease,\n"
+    "border, non-manifold, ids (cells whose array\n"
+    "differs), normals (where they are split), contour\n"
+    "(where the surface turns away), and of smooth\n"
+    "surfaces ridge, valley, suggestive (none)",
+    into(lines.kinds, parseLineKinds));
+  options.add("--crease-angle", "degrees", "0 to 180, between faces' normals, of creases (40)",
+    into(lines.creaseAngleDegrees, parseFeatureAngle));
+  options.add("--ids-array", "name", "cell data for ids (the cell scalars)",
+    [&lines](Text, Text text) { lines.idArray = text; });
+  options.add("--stroke-width", "width", "as 1.5, 1.5px, 0.75pt or 0.35mm (1.5px)",
+    into(lines.width, parseStrokeWidth));
+  options.add("--dpi", "n", "pixels an inch of the picture, for pt and mm (72)",
+    into(scene.pixelsPerInch, parsePixelsPerInch));
+  options.add("--outer-width", "factor",
+    "of lines with something else behind them, times the\nwidth (1)",
+    into(lines.outerWidth, parseOuterWidth));
+  options.add("--stroke-color", "r,g,b", "(0,0,0)", into(lines.color, parseColor));
+  options.add("--stroke-opacity", "a", "0 to 1 (1)", into(lines.opacity, parseShare));
+  options.add("--stroke-taper", "pixels", "over which ends of lines grow to their width (0)",
+    into(lines.taper, parseNotNegative));
+  options.add("--stroke-dash", "dash,gap", "in pixels (none)", into(lines.dash, parseDash));
+  options.add(
+    "--hidden-lines", "name", "off, dashed, thin (off)", choose(lines.hidden, hiddenLines()));
+}
+
 double parseProceduralScale(Text option, Text text)
 {
   const double scale = parsePositive(option, text);
@@ -331,6 +429,7 @@ void addSceneOptions(OptionList& options, SceneSettings& scene)
   addCamera(options, scene.camera);
   addMaterial(options, scene.material);
   addIllustration(options, scene.material);
+  addLines(options, scene);
   addTextures(options, scene.texture);
   addLights(options, scene);
   addColoring(options, scene.coloring);

@@ -44,6 +44,7 @@ vtkCxxSetObjectMacro(vtkLimnProperty, SurfaceShader, vtkLimnSurfaceShader);
 //------------------------------------------------------------------------------
 vtkLimnProperty::~vtkLimnProperty()
 {
+  this->SetIdArrayName(nullptr);
   this->SetLightmapTexture(nullptr);
   this->SetLightmapTCoords(nullptr);
   this->SetBumpTexture(nullptr);
@@ -192,6 +193,20 @@ const char* vtkLimnProperty::GetOutlineAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetStrokeUnitAsString()
+{
+  static const char* const names[] = { "Pixels", "Points", "Millimeters" };
+  return names[this->StrokeUnit];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetHiddenLinesAsString()
+{
+  static const char* const names[] = { "Off", "Dashed", "Thin" };
+  return names[this->HiddenLines];
+}
+
+//------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetTextureRoleAsString()
 {
   static const char* const names[] = { "Shaded", "Surface" };
@@ -282,6 +297,26 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetOutlineWidth(other->OutlineWidth);
   this->SetOutlineColor(other->OutlineColor);
   this->SetOutlineOpacity(other->OutlineOpacity);
+  this->SetCreaseLines(other->CreaseLines);
+  this->SetBorderLines(other->BorderLines);
+  this->SetNonManifoldLines(other->NonManifoldLines);
+  this->SetIdLines(other->IdLines);
+  this->SetNormalLines(other->NormalLines);
+  this->SetContourLines(other->ContourLines);
+  this->SetRidgeLines(other->RidgeLines);
+  this->SetValleyLines(other->ValleyLines);
+  this->SetSuggestiveLines(other->SuggestiveLines);
+  this->SetIdArrayName(other->IdArrayName);
+  this->SetCreaseAngle(other->CreaseAngle);
+  this->SetStrokeWidth(other->StrokeWidth);
+  this->SetStrokeUnit(other->StrokeUnit);
+  this->SetOuterWidthFactor(other->OuterWidthFactor);
+  this->SetStrokeColor(other->StrokeColor);
+  this->SetStrokeOpacity(other->StrokeOpacity);
+  this->SetStrokeTaper(other->StrokeTaper);
+  this->SetStrokeDash(other->StrokeDash);
+  this->SetStrokeGap(other->StrokeGap);
+  this->SetHiddenLines(other->HiddenLines);
   this->SetTextureRole(other->TextureRole);
   this->SetTextureMode(other->TextureMode);
   this->SetProceduralTexture(other->ProceduralTexture);
@@ -345,6 +380,27 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent;
   PrintVector(os, "OutlineColor", this->OutlineColor);
   os << indent << "OutlineOpacity: " << this->OutlineOpacity << "\n";
+  os << indent << "CreaseLines: " << (this->CreaseLines ? "On" : "Off") << "\n";
+  os << indent << "BorderLines: " << (this->BorderLines ? "On" : "Off") << "\n";
+  os << indent << "NonManifoldLines: " << (this->NonManifoldLines ? "On" : "Off") << "\n";
+  os << indent << "IdLines: " << (this->IdLines ? "On" : "Off") << "\n";
+  os << indent << "NormalLines: " << (this->NormalLines ? "On" : "Off") << "\n";
+  os << indent << "ContourLines: " << (this->ContourLines ? "On" : "Off") << "\n";
+  os << indent << "RidgeLines: " << (this->RidgeLines ? "On" : "Off") << "\n";
+  os << indent << "ValleyLines: " << (this->ValleyLines ? "On" : "Off") << "\n";
+  os << indent << "SuggestiveLines: " << (this->SuggestiveLines ? "On" : "Off") << "\n";
+  os << indent << "IdArrayName: " << (this->IdArrayName ? this->IdArrayName : "(none)") << "\n";
+  os << indent << "CreaseAngle: " << this->CreaseAngle << "\n";
+  os << indent << "StrokeWidth: " << this->StrokeWidth << "\n";
+  os << indent << "StrokeUnit: " << this->GetStrokeUnitAsString() << "\n";
+  os << indent << "OuterWidthFactor: " << this->OuterWidthFactor << "\n";
+  os << indent;
+  PrintVector(os, "StrokeColor", this->StrokeColor);
+  os << indent << "StrokeOpacity: " << this->StrokeOpacity << "\n";
+  os << indent << "StrokeTaper: " << this->StrokeTaper << "\n";
+  os << indent << "StrokeDash: " << this->StrokeDash << "\n";
+  os << indent << "StrokeGap: " << this->StrokeGap << "\n";
+  os << indent << "HiddenLines: " << this->GetHiddenLinesAsString() << "\n";
   os << indent << "TextureRole: " << this->GetTextureRoleAsString() << "\n";
   os << indent << "TextureMode: " << this->GetTextureModeAsString() << "\n";
   os << indent << "ProceduralTexture: " << this->GetProceduralTextureAsString() << "\n";

@@ -437,6 +437,145 @@ public:
   vtkGetMacro(OutlineOpacity, double);
   ///@}
 
+  ///@{
+  /**
+   * Lines along edges of the mesh, drawn as strokes: creases, whose faces' normals are more than
+   * CreaseAngle apart; borders, of one face; non-manifold edges, of three faces or more; edges
+   * whose faces differ in the cell array named by SetIdArrayName(), or the cell scalars if that is
+   * not set; edges at which point normals are split. Points in one place are one point. Default:
+   * off.
+   */
+  vtkSetMacro(CreaseLines, bool);
+  vtkGetMacro(CreaseLines, bool);
+  vtkBooleanMacro(CreaseLines, bool);
+  vtkSetMacro(BorderLines, bool);
+  vtkGetMacro(BorderLines, bool);
+  vtkBooleanMacro(BorderLines, bool);
+  vtkSetMacro(NonManifoldLines, bool);
+  vtkGetMacro(NonManifoldLines, bool);
+  vtkBooleanMacro(NonManifoldLines, bool);
+  vtkSetMacro(IdLines, bool);
+  vtkGetMacro(IdLines, bool);
+  vtkBooleanMacro(IdLines, bool);
+  vtkSetMacro(NormalLines, bool);
+  vtkGetMacro(NormalLines, bool);
+  vtkBooleanMacro(NormalLines, bool);
+  vtkSetStringMacro(IdArrayName);
+  vtkGetStringMacro(IdArrayName);
+  ///@}
+
+  ///@{
+  /**
+   * The line where the surface turns away from the viewer. Between creases the surface is taken to
+   * be smooth, and the line follows that and not the edges of the mesh; it is found anew for each
+   * step of the camera. Default: off.
+   */
+  vtkSetMacro(ContourLines, bool);
+  vtkGetMacro(ContourLines, bool);
+  vtkBooleanMacro(ContourLines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Lines inside of smooth surfaces, found from curvature, which is computed when the mesh changes:
+   * ridges and valleys, where the surface bends most sharply outwards or inwards, and suggestive
+   * contours, which would be contours from a view nearby; convex bodies have none. Noisy meshes
+   * have many. Default: off.
+   */
+  vtkSetMacro(RidgeLines, bool);
+  vtkGetMacro(RidgeLines, bool);
+  vtkBooleanMacro(RidgeLines, bool);
+  vtkSetMacro(ValleyLines, bool);
+  vtkGetMacro(ValleyLines, bool);
+  vtkBooleanMacro(ValleyLines, bool);
+  vtkSetMacro(SuggestiveLines, bool);
+  vtkGetMacro(SuggestiveLines, bool);
+  vtkBooleanMacro(SuggestiveLines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * In degrees, 0 to 180, for CreaseLines and ContourLines. Default: 40.
+   */
+  vtkSetClampMacro(CreaseAngle, double, 0.0, 180.0);
+  vtkGetMacro(CreaseAngle, double);
+  ///@}
+
+  enum StrokeUnits
+  {
+    STROKE_PIXELS = 0,
+    STROKE_POINTS,
+    STROKE_MILLIMETERS
+  };
+
+  ///@{
+  /**
+   * How wide lines are on the screen, whatever the distance and the tilt, in StrokeUnit: pixels, or
+   * points (1/72 inch) or millimetres by the window's DPI. At most 256 pixels. Default: 1.5 pixels.
+   */
+  vtkSetMacro(StrokeWidth, double);
+  vtkGetMacro(StrokeWidth, double);
+  vtkSetClampMacro(StrokeUnit, int, STROKE_PIXELS, STROKE_MILLIMETERS);
+  vtkGetMacro(StrokeUnit, int);
+  void SetStrokeUnitToPixels() { this->SetStrokeUnit(STROKE_PIXELS); }
+  void SetStrokeUnitToPoints() { this->SetStrokeUnit(STROKE_POINTS); }
+  void SetStrokeUnitToMillimeters() { this->SetStrokeUnit(STROKE_MILLIMETERS); }
+  const char* GetStrokeUnitAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How many times as wide lines are that have something else behind them: contours, borders and
+   * creases of which one face is turned away. Default: 1.
+   */
+  vtkSetClampMacro(OuterWidthFactor, double, 0.0, 256.0);
+  vtkGetMacro(OuterWidthFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * Colour and opacity of lines. Where lines of one actor cross they are no darker. Default: opaque
+   * black.
+   */
+  vtkSetVector3Macro(StrokeColor, double);
+  vtkGetVector3Macro(StrokeColor, double);
+  vtkSetClampMacro(StrokeOpacity, double, 0.0, 1.0);
+  vtkGetMacro(StrokeOpacity, double);
+  ///@}
+
+  ///@{
+  /**
+   * In pixels: over StrokeTaper the ends of lines grow from nothing to their full width; StrokeDash
+   * and StrokeGap make lines dashed, where both are above 0. Default: 0.
+   */
+  vtkSetMacro(StrokeTaper, double);
+  vtkGetMacro(StrokeTaper, double);
+  vtkSetMacro(StrokeDash, double);
+  vtkGetMacro(StrokeDash, double);
+  vtkSetMacro(StrokeGap, double);
+  vtkGetMacro(StrokeGap, double);
+  ///@}
+
+  enum HiddenLineStyles
+  {
+    HIDDEN_LINES_OFF = 0,
+    HIDDEN_LINES_DASHED,
+    HIDDEN_LINES_THIN
+  };
+
+  ///@{
+  /**
+   * What is drawn of lines where surfaces hide them: nothing, dashes, or the line; the latter two
+   * half as wide. Default: Off.
+   */
+  vtkSetClampMacro(HiddenLines, int, HIDDEN_LINES_OFF, HIDDEN_LINES_THIN);
+  vtkGetMacro(HiddenLines, int);
+  void SetHiddenLinesToOff() { this->SetHiddenLines(HIDDEN_LINES_OFF); }
+  void SetHiddenLinesToDashed() { this->SetHiddenLines(HIDDEN_LINES_DASHED); }
+  void SetHiddenLinesToThin() { this->SetHiddenLines(HIDDEN_LINES_THIN); }
+  const char* GetHiddenLinesAsString();
+  ///@}
+
   enum TextureRoles
   {
     TEXTURE_SHADED = 0,
@@ -619,6 +758,26 @@ protected:
   double OutlineWidth = 0.0;
   double OutlineColor[3] = { 0.0, 0.0, 0.0 };
   double OutlineOpacity = 1.0;
+  bool CreaseLines = false;
+  bool BorderLines = false;
+  bool NonManifoldLines = false;
+  bool IdLines = false;
+  bool NormalLines = false;
+  bool ContourLines = false;
+  bool RidgeLines = false;
+  bool ValleyLines = false;
+  bool SuggestiveLines = false;
+  char* IdArrayName = nullptr;
+  double CreaseAngle = 40.0;
+  double StrokeWidth = 1.5;
+  int StrokeUnit = STROKE_PIXELS;
+  double OuterWidthFactor = 1.0;
+  double StrokeColor[3] = { 0.0, 0.0, 0.0 };
+  double StrokeOpacity = 1.0;
+  double StrokeTaper = 0.0;
+  double StrokeDash = 0.0;
+  double StrokeGap = 0.0;
+  int HiddenLines = HIDDEN_LINES_OFF;
   int TextureRole = TEXTURE_SHADED;
   int TextureMode = TEXTURE_MODULATE;
   int ProceduralTexture = PROCEDURAL_NONE;

@@ -28,7 +28,7 @@ std::size_t taskCount(std::size_t count)
 }
 
 /// Share of an edge's length by which facets may lie before the contour of the smooth surface.
-constexpr double kFacetSlack = 0.5;
+constexpr double kFacetSlack = 0.15;
 
 /// One side of an edge as its face has it.
 struct EdgeSide {

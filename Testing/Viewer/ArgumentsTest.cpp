@@ -127,6 +127,65 @@ TEST(Arguments, ReflectionIsRead)
   EXPECT_EQ(parseRender({ "--model=4" }).scene.material.localModel, 4);
 }
 
+TEST(Arguments, LinesAreKindsAndAStyle)
+{
+  const SceneSettings scene = parseRender(
+    { "--lines=crease,contour,suggestive", "--crease-angle=25", "--stroke-width=0.35mm",
+      "--dpi=300", "--outer-width=2", "--stroke-color=0.1,0.2,0.3", "--stroke-opacity=0.5",
+      "--stroke-taper=20", "--stroke-dash=6,3", "--hidden-lines=dashed" })
+                                .scene;
+  const LineSettings& lines = scene.lines;
+  EXPECT_EQ(lines.kinds,
+    (std::vector<LineKind>{ LineKind::Crease, LineKind::Contour, LineKind::Suggestive }));
+  EXPECT_EQ(lines.creaseAngleDegrees, 25);
+  EXPECT_EQ(lines.width->value, 0.35);
+  EXPECT_EQ(lines.width->unit, 2);
+  EXPECT_EQ(scene.pixelsPerInch, 300);
+  EXPECT_EQ(lines.outerWidth, 2);
+  EXPECT_EQ(lines.color, (Color{ 0.1, 0.2, 0.3 }));
+  EXPECT_EQ(lines.opacity, 0.5);
+  EXPECT_EQ(lines.taper, 20);
+  EXPECT_EQ(lines.dash, (std::array<double, 2>{ 6, 3 }));
+  EXPECT_EQ(lines.hidden, HiddenLines::Dashed);
+  const auto widthOf = [](const char* option) {
+    return *parseRender({ "--lines=border", option }).scene.lines.width;
+  };
+  EXPECT_EQ(widthOf("--stroke-width=2").unit, 0);
+  EXPECT_EQ(widthOf("--stroke-width=2px").unit, 0);
+  EXPECT_EQ(widthOf("--stroke-width=0.75pt").unit, 1);
+}
+
+TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
+{
+  const struct
+  {
+    std::vector<std::string> options;
+    std::string error;
+  } cases[] = {
+    { { "--stroke-width=2" }, "--stroke-width needs lines; add --lines=crease or another kind" },
+    { { "--hidden-lines=thin" }, "--hidden-lines needs lines; add --lines=crease or another kind" },
+    { { "--lines=border", "--crease-angle=20" },
+      "--crease-angle needs --lines=crease or --lines=contour" },
+    { { "--lines=border", "--ids-array=part" }, "--ids-array needs --lines=ids" },
+    { { "--lines=border", "--dpi=300" }, "--dpi needs --stroke-width in pt or mm" },
+    { { "--lines=crease,edges" },
+      "--lines=edges is unknown; choose one of: crease, border, non-manifold, ids, normals, "
+      "contour, ridge, valley, suggestive" },
+    { { "--lines=crease,crease" }, "--lines=crease,crease names a kind twice; name it once" },
+    { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
+    { { "--lines=border", "--stroke-width=2in" },
+      "--stroke-width=2in is not a finite number, as in --stroke-width=1.5" },
+    { { "--lines=border", "--stroke-taper=-1" }, "--stroke-taper=-1 is below 0" },
+    { { "--lines=border", "--stroke-dash=3,0" },
+      "--stroke-dash=3,0: dash and gap have to be above 0, and half a pixel" },
+    { { "--lines=border", "--outer-width=300" }, "--outer-width=300 is greater than 256" },
+  };
+  for (const auto& one : cases)
+  {
+    EXPECT_EQ(renderErrorOf(one.options), one.error);
+  }
+}
+
 TEST(Arguments, ReflectionOptionsThatWouldShowNothingAreRefused)
 {
   const struct

@@ -6,6 +6,7 @@
 #include "InputBounds.h"
 #include "KnownInput.h"
 #include "MovedPoints.h"
+#include "SurfaceLines.h"
 #include "SurfaceMesh.h"
 #include "SurfaceTextures.h"
 
@@ -16,6 +17,7 @@ class vtkLimnPolyDataMapper::vtkInternals
 public:
   limn::bridge::MovedPoints Moved;
   limn::bridge::SurfaceMesh Mesh;
+  limn::bridge::SurfaceLines Lines;
   limn::bridge::InputBounds InputBounds;
   limn::bridge::KnownInput Input;
   limn::bridge::MapperTextures Textures;

@@ -10,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace limn::bridge
 {
@@ -376,6 +377,45 @@ std::string unusableToneOf(vtkLimnProperty* property)
   return {};
 }
 
+/// Of lines, whether any are drawn or not.
+std::string unusableStrokeValueOf(vtkProperty* property)
+{
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  if (!limn)
+  {
+    return {};
+  }
+  const double width = limn->GetStrokeWidth();
+  if (!std::isfinite(width) || width <= 0)
+  {
+    return fault(property, "StrokeWidth", width, "a finite number above 0");
+  }
+  const double dash = limn->GetStrokeDash();
+  if (dash > 0 && !(limn->GetStrokeGap() > 0 && dash + limn->GetStrokeGap() >= 0.5))
+  {
+    return fault(property, "StrokeGap", limn->GetStrokeGap(),
+      "above 0 where StrokeDash is, and both together at least half a pixel");
+  }
+  for (const double value :
+    { limn->GetStrokeColor()[0], limn->GetStrokeColor()[1], limn->GetStrokeColor()[2] })
+  {
+    if (!std::isfinite(value) || value < 0)
+    {
+      return fault(property, "StrokeColor", value, "a finite number, not negative");
+    }
+  }
+  const std::pair<const char*, double> lengths[] = { { "StrokeTaper", limn->GetStrokeTaper() },
+    { "StrokeDash", dash }, { "StrokeGap", limn->GetStrokeGap() } };
+  for (const auto& [name, value] : lengths)
+  {
+    if (!std::isfinite(value) || value < 0)
+    {
+      return fault(property, name, value, "a finite number, not negative");
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 std::string unusableValueOf(vtkProperty* property)
@@ -427,8 +467,15 @@ std::string unusableValueOf(vtkProperty* property)
       }
     }
   }
-  const std::string unusable = limn ? unusableToneOf(limn) : std::string();
-  return unusable.empty() ? unusableTextureValueOf(property) : unusable;
+  for (const std::string& unusable :
+    { limn ? unusableToneOf(limn) : std::string(), unusableStrokeValueOf(property) })
+  {
+    if (!unusable.empty())
+    {
+      return unusable;
+    }
+  }
+  return unusableTextureValueOf(property);
 }
 
 Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)

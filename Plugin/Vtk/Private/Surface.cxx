@@ -8,6 +8,7 @@
 #include "StyleFromProperty.h"
 
 #include "vtkLimnActor.h"
+#include "vtkLimnProperty.h"
 #include "vtkLimnRenderWindow.h"
 
 #include "vtkAssembly.h"
@@ -221,7 +222,7 @@ bool describe(
   moved.update(surface.mapper->GetVertexShader(), data, options.threads);
   SurfaceMesh& mesh = surface.mapper->GetInternals().Mesh;
   SurfaceNeeds needs = needsOf(property);
-  needs.triangles = options.backend == Backend::kReference;
+  needs.triangles = options.backend == Backend::kReference || wantsLines(property);
   if (const Status status = mesh.update(data, moved, needs, options.threads); !status.ok())
   {
     vtkErrorWithObjectMacro(surface.mapper, << status.message);
@@ -249,6 +250,24 @@ bool describe(
   }
   setTransparency(surface, instance);
   return true;
+}
+
+bool describeLines(
+  const Surface& surface, const LineView& view, Instance& instance, FrameLines& lines)
+{
+  vtkProperty* const property = surface.actor->GetProperty();
+  if (!wantsLines(property))
+  {
+    return true;
+  }
+  vtkLimnPolyDataMapper::vtkInternals& internals = surface.mapper->GetInternals();
+  const Status status = internals.Lines.add(vtkLimnProperty::SafeDownCast(property),
+    inputOf(surface.mapper), internals.Mesh.geometryChanges(), view, instance, lines);
+  if (!status.ok())
+  {
+    vtkErrorWithObjectMacro(surface.mapper, "Its lines are not drawn: " << status.message);
+  }
+  return status.ok();
 }
 
 } // namespace limn::bridge

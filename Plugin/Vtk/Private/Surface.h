@@ -3,6 +3,7 @@
 #ifndef Surface_h
 #define Surface_h
 
+#include "SurfaceLines.h"
 #include "SurfaceTextures.h"
 #include "WhatIsMissing.h"
 
@@ -56,6 +57,11 @@ using FrameNormals = std::vector<std::shared_ptr<const SplitNormals>>;
 /// is nothing to draw or something is wrong with the mesh.
 bool describe(
   const Surface& surface, Instance& instance, FrameNormals& normals, FrameTextures* textures);
+
+/// Gives the instance, as describe() made it, the lines that its property asks for. False, with a
+/// message, if something is wrong with them.
+bool describeLines(
+  const Surface& surface, const LineView& view, Instance& instance, FrameLines& lines);
 
 } // namespace limn::bridge
 

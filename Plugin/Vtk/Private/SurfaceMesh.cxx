@@ -90,6 +90,7 @@ Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
   }
   cellsVersion_ = cells;
   pointsVersion_ = points;
+  ++geometryChanges_;
   computed_.clear();
   normals_.reset();
   faces_ = {};

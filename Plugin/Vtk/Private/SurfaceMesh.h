@@ -43,7 +43,7 @@ struct SurfaceNeeds
   NormalChoice normals;
   bool faceGeometry = false;
   bool firstCorners = false; ///< to light faces at, in place of their centroids
-  bool triangles = false;    ///< for the reference renderer
+  bool triangles = false;    ///< for the reference renderer, and lines
 };
 
 /// What one mapper keeps of its input between frames. Geometry is prepared anew only when cells are
@@ -71,6 +71,8 @@ public:
   bool hasPointNormals() const { return !this->pointNormals_.span().empty(); }
   bool hasCellNormals() const { return !this->cellNormals().empty(); }
   vtkIdType geometryBuilds() const { return this->geometryBuilds_; }
+  /// Grows with every change of triangles or points.
+  vtkIdType geometryChanges() const { return this->geometryChanges_; }
 
   /// What had to be left out of the last geometry built, in words; empty if nothing.
   std::string complaint() const;
@@ -119,6 +121,7 @@ private:
   std::size_t cellCount_ = 0;
   bool isFlattened_ = false; ///< has faces, but none with an area
   vtkIdType geometryBuilds_ = 0;
+  vtkIdType geometryChanges_ = 0;
 
   VectorArray pointNormals_;
   VectorArray cellNormals_;

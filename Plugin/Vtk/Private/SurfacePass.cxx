@@ -76,9 +76,10 @@ struct Drawables
   std::vector<vtkActor*> actors; ///< of the instances
   FrameNormals normals;
   FrameTextures textures;
+  FrameLines lines;
 };
 
-Drawables describeAll(const std::vector<Surface>& surfaces)
+Drawables describeAll(const std::vector<Surface>& surfaces, const LineView& view)
 {
   Drawables drawables;
   drawables.instances.reserve(surfaces.size());
@@ -89,6 +90,7 @@ Drawables describeAll(const std::vector<Surface>& surfaces)
     if (describe(
           surface, drawables.instances.emplace_back(), drawables.normals, &drawables.textures))
     {
+      describeLines(surface, view, drawables.instances.back(), drawables.lines);
       drawables.actors.push_back(surface.actor);
     }
     else
@@ -262,7 +264,11 @@ void SurfacePass::draw(const Surface& surface)
 void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
 {
   const Clock::time_point start = Clock::now();
-  Drawables drawables = describeAll(surfaces);
+  LineView view;
+  view.camera = cameraOf(renderer_);
+  view.pixelsPerInch = renderer_->GetRenderWindow()->GetDPI();
+  view.threads = EngineState::instance().options.threads;
+  Drawables drawables = describeAll(surfaces, view);
   if (drawables.instances.empty())
   {
     return;
@@ -273,7 +279,7 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   }
   const std::vector<Light> lights = lightsOf(renderer_);
   Scene scene;
-  scene.camera = cameraOf(renderer_);
+  scene.camera = view.camera;
   scene.ambientLight = ambientLightOf(renderer_);
   scene.lights = lights;
   scene.instances = drawables.instances;

@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SurfaceLines.h"
+
+#include "vtkLimnProperty.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkPolyData.h"
+
+#include <cstring>
+
+namespace limn::bridge
+{
+namespace
+{
+
+unsigned kindsOf(vtkLimnProperty* property)
+{
+  unsigned kinds = 0;
+  kinds |= property->GetCreaseLines() ? kCreaseEdge : 0;
+  kinds |= property->GetBorderLines() ? kBorderEdge : 0;
+  kinds |= property->GetNonManifoldLines() ? kNonManifoldEdge : 0;
+  kinds |= property->GetIdLines() ? kIdEdge : 0;
+  kinds |= property->GetNormalLines() ? kNormalEdge : 0;
+  return kinds;
+}
+
+bool wantsCurves(vtkLimnProperty* property)
+{
+  return property->GetRidgeLines() || property->GetValleyLines() || property->GetSuggestiveLines();
+}
+
+double pixelsOf(vtkLimnProperty* property, double pixelsPerInch)
+{
+  switch (property->GetStrokeUnit())
+  {
+    case vtkLimnProperty::STROKE_POINTS:
+      return property->GetStrokeWidth() * pixelsPerInch / 72;
+    case vtkLimnProperty::STROKE_MILLIMETERS:
+      return property->GetStrokeWidth() * pixelsPerInch / 25.4;
+    default:
+      return property->GetStrokeWidth();
+  }
+}
+
+LineStyle styleOf(vtkLimnProperty* property, double pixelsPerInch)
+{
+  LineStyle style;
+  const double* const color = property->GetStrokeColor();
+  style.color = vec3Cast<float>(Vec3d{ color[0], color[1], color[2] });
+  style.opacity = static_cast<float>(property->GetStrokeOpacity());
+  style.width = static_cast<float>(pixelsOf(property, pixelsPerInch));
+  style.outerFactor = static_cast<float>(property->GetOuterWidthFactor());
+  style.taper = static_cast<float>(property->GetStrokeTaper());
+  style.dash = static_cast<float>(property->GetStrokeDash());
+  style.gap = static_cast<float>(property->GetStrokeGap());
+  switch (property->GetHiddenLines())
+  {
+    case vtkLimnProperty::HIDDEN_LINES_DASHED:
+      style.hidden = HiddenLines::kDashed;
+      break;
+    case vtkLimnProperty::HIDDEN_LINES_THIN:
+      style.hidden = HiddenLines::kThin;
+      break;
+    default:
+      style.hidden = HiddenLines::kOff;
+  }
+  return style;
+}
+
+vtkDataArray* idArrayOf(vtkLimnProperty* property, vtkPolyData* data)
+{
+  const char* const name = property->GetIdArrayName();
+  vtkCellData* const cells = data->GetCellData();
+  return name && *name ? cells->GetArray(name) : cells->GetScalars();
+}
+
+/// Equal values have equal numbers.
+std::vector<std::uint32_t> numbersOf(vtkDataArray* ids)
+{
+  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(ids->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    const double value = ids->GetComponent(static_cast<vtkIdType>(i), 0) + 0.0;
+    std::uint64_t bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;
+    numbers[i] = static_cast<std::uint32_t>(bits * kOdd >> 32);
+  }
+  return numbers;
+}
+
+} // namespace
+
+bool wantsLines(vtkProperty* property)
+{
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  return limn && (kindsOf(limn) != 0 || limn->GetContourLines() || wantsCurves(limn));
+}
+
+bool SurfaceLines::Choice::operator==(const Choice& other) const
+{
+  return kinds == other.kinds && creaseDegrees == other.creaseDegrees && ids == other.ids &&
+         idsTime == other.idsTime && normals == other.normals;
+}
+
+Status SurfaceLines::update(vtkIdType geometry, const Instance& instance, int threads)
+{
+  if (geometry == geometry_)
+  {
+    return {};
+  }
+  geometry_ = -1;
+  choice_ = {};
+  features_.reset();
+  normalsDegrees_ = -1;
+  weldedTriangles_.clear();
+  curvature_.clear();
+  ridges_.reset();
+  valleys_.reset();
+  const Status status = buildEdgeTable(instance.mesh, 0, threads, table_);
+  if (status.ok())
+  {
+    geometry_ = geometry;
+    ++edgeBuilds_;
+  }
+  return status;
+}
+
+void SurfaceLines::updateFeatures(
+  const Choice& choice, vtkDataArray* idArray, const Instance& instance, int threads)
+{
+  if (choice == choice_ && features_)
+  {
+    return;
+  }
+  const Attributes& attributes = instance.attributes;
+  FeatureArrays arrays;
+  arrays.cells = attributes.cells;
+  if ((choice.kinds & kNormalEdge) != 0)
+  {
+    arrays.vertexNormals = attributes.vertexNormals;
+    arrays.normalOfCorner = attributes.normalOfCorner;
+  }
+  std::vector<std::uint32_t> ids;
+  if (idArray)
+  {
+    ids = numbersOf(idArray);
+    arrays.ids = ids;
+  }
+  const auto kinds = edgeKinds(instance.mesh, table_, arrays, choice.creaseDegrees, threads);
+  features_ = std::make_shared<const EdgeChains>(chainEdges(table_, kinds, choice.kinds));
+  choice_ = choice;
+}
+
+MeshView SurfaceLines::weldedMesh(const MeshView& mesh) const
+{
+  return { mesh.positions, mesh.precisePositions, weldedTriangles_ };
+}
+
+void SurfaceLines::weld(const MeshView& mesh)
+{
+  if (!weldedTriangles_.empty())
+  {
+    return;
+  }
+  weldedTriangles_.assign(mesh.triangles.begin(), mesh.triangles.end());
+  for (Triangle& triangle : weldedTriangles_)
+  {
+    for (std::uint32_t& vertex : triangle.vertex)
+    {
+      vertex = vertex < table_.place.size() ? table_.place[vertex] : vertex;
+    }
+  }
+}
+
+void SurfaceLines::updateCurvature(const Instance& instance, int threads)
+{
+  const Attributes& attributes = instance.attributes;
+  const bool hasNormals = attributes.normalOfCorner.empty() && !attributes.vertexNormals.empty();
+  const void* const normals = hasNormals ? attributes.vertexNormals.data() : nullptr;
+  if (!curvature_.empty() && normals == curvedNormals_)
+  {
+    return;
+  }
+  curvedNormals_ = normals;
+  ridges_.reset();
+  valleys_.reset();
+  this->weld(instance.mesh);
+  const MeshView mesh = this->weldedMesh(instance.mesh);
+  if (hasNormals)
+  {
+    smoothNormals_.resize(mesh.vertexCount());
+    for (std::size_t v = 0; v < smoothNormals_.size(); ++v)
+    {
+      smoothNormals_[v] = normalized(attributes.vertexNormals[v]);
+    }
+  }
+  else
+  {
+    smoothNormals_ = limn::vertexNormals(mesh, NormalWeight::kArea);
+  }
+  curvature_ = vertexCurvature(mesh, smoothNormals_, threads);
+}
+
+CurvedSurface SurfaceLines::curved(const MeshView& mesh) const
+{
+  return { this->weldedMesh(mesh), smoothNormals_, curvature_ };
+}
+
+Status SurfaceLines::updateNormals(double creaseDegrees, const Instance& instance, int threads)
+{
+  if (creaseDegrees == normalsDegrees_)
+  {
+    return {};
+  }
+  this->weld(instance.mesh);
+  const Status status = splitVertexNormals(this->weldedMesh(instance.mesh),
+    instance.attributes.cells, NormalWeight::kAngle, creaseDegrees, threads, normals_);
+  normalsDegrees_ = status.ok() ? creaseDegrees : -1;
+  return status;
+}
+
+void SurfaceLines::addFeatures(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
+  const Instance& instance, FrameLines& frame)
+{
+  Choice choice;
+  choice.kinds = kindsOf(property);
+  vtkDataArray* const ids = property->GetIdLines() ? idArrayOf(property, data) : nullptr;
+  const bool hasIds = ids && ids->GetNumberOfTuples() == data->GetNumberOfCells();
+  choice.creaseDegrees = property->GetCreaseAngle();
+  choice.ids = hasIds ? ids : nullptr;
+  choice.idsTime = hasIds ? ids->GetMTime() : 0;
+  choice.normals = property->GetNormalLines() ? instance.attributes.vertexNormals.data() : nullptr;
+  this->updateFeatures(choice, hasIds ? ids : nullptr, instance, view.threads);
+  frame.edges.push_back(features_);
+  if (property->GetOuterWidthFactor() != 1)
+  {
+    auto marked = std::make_shared<EdgeChains>(*features_);
+    markOuterEdges(instance.mesh, table_, view.camera, instance.modelToWorld, *marked);
+    frame.edges.back() = std::move(marked);
+  }
+}
+
+Status SurfaceLines::addContours(
+  vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame)
+{
+  if (Status status = this->updateNormals(property->GetCreaseAngle(), instance, view.threads);
+      !status.ok())
+  {
+    return status;
+  }
+  FeatureArrays arrays;
+  arrays.vertexNormals = normals_.normals;
+  arrays.normalOfCorner = normals_.ofCorner;
+  frame.contours.push_back(
+    std::make_shared<const ContourLines>(smoothContours(this->weldedMesh(instance.mesh), table_,
+      arrays, view.camera, instance.modelToWorld, view.threads)));
+  return {};
+}
+
+void SurfaceLines::addCurves(
+  vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame)
+{
+  this->updateCurvature(instance, view.threads);
+  const CurvedSurface surface = this->curved(instance.mesh);
+  const auto extremes = [&](ExtremeKind kind, std::shared_ptr<const ContourLines>& kept)
+  {
+    if (!kept)
+    {
+      kept =
+        std::make_shared<const ContourLines>(extremeLines(surface, table_, kind, {}, view.threads));
+    }
+    frame.contours.push_back(kept);
+  };
+  if (property->GetRidgeLines())
+  {
+    extremes(ExtremeKind::kRidge, ridges_);
+  }
+  if (property->GetValleyLines())
+  {
+    extremes(ExtremeKind::kValley, valleys_);
+  }
+  if (property->GetSuggestiveLines())
+  {
+    frame.contours.push_back(std::make_shared<const ContourLines>(
+      suggestiveContours(surface, table_, view.camera, instance.modelToWorld, {}, view.threads)));
+  }
+}
+
+Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType geometry,
+  const LineView& view, Instance& instance, FrameLines& frame)
+{
+  if (Status status = this->update(geometry, instance, view.threads); !status.ok())
+  {
+    return status;
+  }
+  const std::size_t firstEdges = frame.edges.size();
+  const std::size_t firstContours = frame.contours.size();
+  if (kindsOf(property) != 0)
+  {
+    this->addFeatures(property, data, view, instance, frame);
+  }
+  if (property->GetContourLines())
+  {
+    if (Status status = this->addContours(property, view, instance, frame); !status.ok())
+    {
+      return status;
+    }
+  }
+  if (wantsCurves(property))
+  {
+    this->addCurves(property, view, instance, frame);
+  }
+  const LineStyle style = styleOf(property, view.pixelsPerInch);
+  auto sets = std::make_unique<std::vector<LineSet>>();
+  for (std::size_t i = firstEdges; i < frame.edges.size(); ++i)
+  {
+    sets->push_back(frame.edges[i]->chains.lines(instance.mesh, style));
+  }
+  for (std::size_t i = firstContours; i < frame.contours.size(); ++i)
+  {
+    sets->push_back(frame.contours[i]->lines(style));
+  }
+  instance.lines = *sets;
+  frame.sets.push_back(std::move(sets));
+  return {};
+}
+
+} // namespace limn::bridge

@@ -1,0 +1,98 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef SurfaceLines_h
+#define SurfaceLines_h
+
+#include "Rendering/Base/Status.h"
+#include "Rendering/Lines/SurfaceCurves.h"
+#include "Rendering/Mesh/VertexNormals.h"
+#include "Rendering/Scene.h"
+
+#include "vtkType.h"
+
+#include <memory>
+#include <vector>
+
+class vtkDataArray;
+class vtkLimnProperty;
+class vtkPolyData;
+class vtkProperty;
+
+namespace limn::bridge
+{
+
+/// Whether a property asks for lines of the mesh.
+bool wantsLines(vtkProperty* property);
+
+/// What all lines of one frame depend on.
+struct LineView
+{
+  Camera camera;
+  double pixelsPerInch = 72;
+  int threads = 0;
+};
+
+/// Owns the lines of a frame's instances.
+struct FrameLines
+{
+  std::vector<std::unique_ptr<std::vector<LineSet>>> sets; ///< of one instance each
+  std::vector<std::shared_ptr<const EdgeChains>> edges;
+  std::vector<std::shared_ptr<const ContourLines>> contours;
+};
+
+/// What one mapper keeps of its lines between frames: what does not depend on the camera is made
+/// anew only when the mesh or what is asked for has changed.
+class SurfaceLines
+{
+public:
+  /// Gives `instance`, described already, the lines of which `property` tells. `geometry` counts
+  /// the mesh's changes. Errors: those of buildEdgeTable().
+  Status add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType geometry, const LineView& view,
+    Instance& instance, FrameLines& frame);
+
+  vtkIdType edgeBuilds() const { return edgeBuilds_; }
+
+private:
+  struct Choice
+  {
+    unsigned kinds = 0;
+    double creaseDegrees = -1;
+    const void* ids = nullptr;
+    vtkMTimeType idsTime = 0;
+    const void* normals = nullptr; ///< those of the instance
+
+    bool operator==(const Choice& other) const;
+  };
+
+  Status update(vtkIdType geometry, const Instance& instance, int threads);
+  void updateFeatures(
+    const Choice& choice, vtkDataArray* idArray, const Instance& instance, int threads);
+  Status updateNormals(double creaseDegrees, const Instance& instance, int threads);
+  MeshView weldedMesh(const MeshView& mesh) const;
+  void weld(const MeshView& mesh);
+  void updateCurvature(const Instance& instance, int threads);
+  CurvedSurface curved(const MeshView& mesh) const;
+  void addFeatures(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
+    const Instance& instance, FrameLines& frame);
+  Status addContours(
+    vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
+  void addCurves(
+    vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
+
+  vtkIdType geometry_ = -1;
+  vtkIdType edgeBuilds_ = 0;
+  EdgeTable table_;
+  Choice choice_;
+  std::shared_ptr<const EdgeChains> features_;
+  std::vector<Triangle> weldedTriangles_;
+  double normalsDegrees_ = -1;
+  SplitNormals normals_; ///< of the welded mesh, split where lines are creases
+  std::vector<Vec3f> smoothNormals_;
+  const void* curvedNormals_ = nullptr; ///< those of an instance that they are
+  std::vector<VertexCurvature> curvature_;
+  std::shared_ptr<const ContourLines> ridges_, valleys_;
+};
+
+} // namespace limn::bridge
+
+#endif

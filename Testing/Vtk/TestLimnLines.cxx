@@ -1,0 +1,229 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lines of the mesh, as a vtkLimnProperty asks for them.
+#include "Check.h"
+#include "Messages.h"
+#include "Picture.h"
+#include "Stage.h"
+
+#include "vtkLimnProperty.h"
+
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkParametricTorus.h"
+#include "vtkPlaneSource.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkSphereSource.h"
+
+#include <cmath>
+#include <limits>
+
+namespace
+{
+const Pixel Red = { 255, 0, 0 };
+
+/// White on black, with red lines, seen flat.
+struct LineStage : Stage
+{
+  vtkNew<vtkLimnProperty> Property;
+
+  LineStage()
+  {
+    this->Actor->SetProperty(this->Property);
+    this->LookFlat();
+    this->Property->SetColor(0, 0, 1);
+    this->Property->SetStrokeColor(1, 0, 0);
+    this->Property->SetStrokeWidth(2);
+  }
+  double Coverage()
+  {
+    const Picture picture = render(this->Window);
+    double red = 0;
+    for (int y = 0; y < picture.Height; ++y)
+    {
+      for (int x = 0; x < picture.Width; ++x)
+      {
+        red += picture.At(x, y)[0] / 255.0;
+      }
+    }
+    return red;
+  }
+};
+
+void checkIsNear(double actual, double expected, double tolerance)
+{
+  CHECK(std::fabs(actual - expected) <= tolerance);
+  if (!(std::fabs(actual - expected) <= tolerance))
+  {
+    std::cerr << actual << " is not " << expected << " +- " << tolerance << std::endl;
+  }
+}
+
+// Two squares of 20 x 20 pixels have 160 pixels of border, two of width.
+void checkBorders()
+{
+  LineStage stage;
+  stage.Mapper->SetInputData(twoSquares());
+  CHECK_EQUAL(stage.Coverage(), 0);
+  stage.Property->BorderLinesOn();
+  checkIsNear(stage.Coverage(), 320, 2);
+  stage.Property->SetStrokeWidth(4);
+  checkIsNear(stage.Coverage(), 640, 4);
+  stage.Property->SetStrokeWidth(1);
+  stage.Property->SetOuterWidthFactor(2);
+  checkIsNear(stage.Coverage(), 320, 2);
+  stage.Property->SetStrokeOpacity(0.5);
+  checkIsNear(stage.Coverage(), 160, 2);
+  stage.Property->BorderLinesOff();
+  stage.Property->CreaseLinesOn();
+  CHECK_EQUAL(stage.Coverage(), 0);
+}
+
+void checkUnits()
+{
+  LineStage stage;
+  stage.Mapper->SetInputData(twoSquares());
+  stage.Property->BorderLinesOn();
+  stage.Window->SetDPI(144);
+  stage.Property->SetStrokeUnitToPoints();
+  stage.Property->SetStrokeWidth(1);
+  checkIsNear(stage.Coverage(), 320, 2);
+  stage.Property->SetStrokeUnitToMillimeters();
+  stage.Property->SetStrokeWidth(2 * 25.4 / 144);
+  checkIsNear(stage.Coverage(), 320, 2);
+  stage.Property->SetStrokeUnitToPixels();
+  stage.Property->SetStrokeWidth(2);
+  checkIsNear(stage.Coverage(), 320, 2);
+}
+
+void checkIds()
+{
+  LineStage stage;
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(10, 10, 0);
+  plane->SetPoint1(50, 10, 0);
+  plane->SetPoint2(10, 50, 0);
+  plane->SetResolution(4, 4);
+  plane->Update();
+  vtkPolyData* const data = plane->GetOutput();
+  vtkNew<vtkIntArray> parts;
+  parts->SetName("part");
+  for (int cell = 0; cell < 16; ++cell)
+  {
+    parts->InsertNextValue(cell < 8 ? 3 : 7);
+  }
+  data->GetCellData()->AddArray(parts);
+  stage.Mapper->SetInputData(data);
+  stage.Property->IdLinesOn();
+  CHECK_EQUAL(stage.Coverage(), 0); // no cell scalars
+  stage.Property->SetIdArrayName("part");
+  checkIsNear(stage.Coverage(), 80, 4);
+  parts->SetValue(0, 7);
+  parts->Modified();
+  data->Modified();
+  checkIsNear(stage.Coverage(), 120, 4);
+}
+
+void checkCaching()
+{
+  LineStage stage;
+  const vtkSmartPointer<vtkPolyData> data = twoSquares();
+  stage.Mapper->SetInputData(data);
+  stage.Property->BorderLinesOn();
+  checkIsNear(stage.Coverage(), 320, 2);
+  data->GetPoints()->SetPoint(1, 50, 10, 0);
+  data->GetPoints()->SetPoint(2, 50, 30, 0);
+  data->GetPoints()->Modified();
+  stage.Mapper->SetInputData(data);
+  // 40 x 20 and 20 x 20, which lie over each other in part.
+  checkIsNear(stage.Coverage(), 400, 8);
+}
+
+void checkContour()
+{
+  LineStage stage;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(50, 40, 0);
+  sphere->SetRadius(30);
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(16);
+  stage.Mapper->SetInputConnection(sphere->GetOutputPort());
+  stage.Renderer->GetActiveCamera()->SetPosition(50, 40, 100);
+  stage.Renderer->GetActiveCamera()->SetClippingRange(10, 200);
+  stage.Property->ContourLinesOn();
+  const double circle = 2 * 3.14159265 * 30 * 2;
+  checkIsNear(stage.Coverage(), circle, 0.01 * circle);
+  stage.Property->SetCreaseAngle(0);
+  checkIsNear(stage.Coverage(), circle, 0.03 * circle);
+  // Normals of the data are not asked: soup has the same contour.
+  stage.Property->SetCreaseAngle(40);
+  vtkNew<vtkPolyDataNormals> split;
+  split->SetInputConnection(sphere->GetOutputPort());
+  split->SetFeatureAngle(0);
+  split->SplittingOn();
+  stage.Mapper->SetInputConnection(split->GetOutputPort());
+  checkIsNear(stage.Coverage(), circle, 0.01 * circle);
+}
+
+void checkCurves()
+{
+  LineStage stage;
+  vtkNew<vtkParametricTorus> torus;
+  torus->SetRingRadius(20);
+  torus->SetCrossSectionRadius(8);
+  vtkNew<vtkParametricFunctionSource> source;
+  source->SetParametricFunction(torus);
+  stage.Mapper->SetInputConnection(source->GetOutputPort());
+  vtkCamera* const camera = stage.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(0, -100, 60);
+  camera->SetClippingRange(10, 300);
+  stage.Property->SuggestiveLinesOn();
+  CHECK(stage.Coverage() > 30);
+  stage.Property->SuggestiveLinesOff();
+  stage.Property->ValleyLinesOn();
+  CHECK_EQUAL(stage.Coverage(), 0);
+}
+
+void checkUnusableValues()
+{
+  const struct
+  {
+    const char* Name;
+    void (*Set)(vtkLimnProperty*);
+  } cases[] = {
+    { "StrokeWidth", [](vtkLimnProperty* p) { p->SetStrokeWidth(0); } },
+    { "StrokeWidth",
+      [](vtkLimnProperty* p) { p->SetStrokeWidth(std::numeric_limits<double>::quiet_NaN()); } },
+    { "StrokeColor", [](vtkLimnProperty* p) { p->SetStrokeColor(0, -1, 0); } },
+    { "StrokeTaper", [](vtkLimnProperty* p) { p->SetStrokeTaper(-1); } },
+    { "StrokeGap", [](vtkLimnProperty* p) { p->SetStrokeDash(3); } },
+    { "StrokeDash", [](vtkLimnProperty* p) { p->SetStrokeDash(-3); } },
+  };
+  for (const auto& one : cases)
+  {
+    LineStage stage;
+    stage.Mapper->SetInputData(twoSquares());
+    stage.Property->BorderLinesOn();
+    const Messages messages;
+    one.Set(stage.Property);
+    stage.Window->Render();
+    CHECK_EQUAL(messages.Count("Not drawn"), 1);
+    CHECK_EQUAL(messages.Count(one.Name), 1);
+  }
+}
+}
+
+int TestLimnLines(int, char*[])
+{
+  checkBorders();
+  checkUnits();
+  checkIds();
+  checkCaching();
+  checkContour();
+  checkCurves();
+  checkUnusableValues();
+  return result();
+}
