@@ -182,6 +182,7 @@ void checkUpdates()
   table->SetTableValue(0, 0, 0.5, 0);
   CHECK(worst(pixelOf(legend->GetImage(), 0, 63), before) > 0);
   // What a legend has none of.
+  property->SetToneOverDataToClassic();
   const Pixel plain = pixelOf(legend->GetImage(), 100, 32);
   property->SetOpacity(0.5);
   property->SetSpecular(1);
@@ -191,6 +192,30 @@ void checkUpdates()
   legend->SetNumberOfTones(0);
   CHECK_EQUAL(legend->GetNumberOfTones(), 1);
   CHECK_EQUAL(legend->GetImage()->GetDimensions()[1], 1);
+}
+
+/// A row shows what is in its middle: of two rows l.n of -1/2 and 1/2.
+void checkRows()
+{
+  vtkNew<vtkLimnProperty> property;
+  property->SetToneToGooch();
+  vtkNew<vtkLimnToneLegend> fine;
+  vtkNew<vtkLimnToneLegend> coarse;
+  for (vtkLimnToneLegend* const legend : { fine.Get(), coarse.Get() })
+  {
+    legend->SetLookupTable(makeTable());
+    legend->SetSurfaceProperty(property);
+    legend->SetNumberOfValues(4);
+  }
+  fine->SetNumberOfTones(1000);
+  coarse->SetNumberOfTones(2);
+  for (int entry = 0; entry < 4; ++entry)
+  {
+    const Pixel averted = pixelOf(coarse->GetImage(), entry, 0);
+    const Pixel facing = pixelOf(coarse->GetImage(), entry, 1);
+    CHECK(worst(averted, pixelOf(fine->GetImage(), entry, 250)) <= 1);
+    CHECK(worst(facing, pixelOf(fine->GetImage(), entry, 750)) <= 1);
+  }
 }
 
 void checkErrors()
@@ -231,6 +256,7 @@ int TestLimnToneLegend(int, char*[])
   checkEachMode();
   checkInterpolatedScalars();
   checkUpdates();
+  checkRows();
   checkErrors();
   checkCopy();
   return result();
