@@ -182,10 +182,10 @@ struct Style {
   float legendSafeRange = 12;                          ///< w, 0 to 100
   /// Pixels with |n.v| below this get outlineColor (figure 12.15); 0 draws no outline.
   float outlineThreshold = 0;
-  /// In its place, pixels up to outlineWidth from where n.v = 0: as g^2, g = n.v, is linear on the
-  /// screen where a surface turns away, they are g^2 / |grad g^2| from it. Antialiased: the line
-  /// covers clamp(outlineWidth + 1/2 - |g| / (2 |grad g|)) of a pixel, grad by the pixels to the
-  /// right and above in the triangle's plane.
+  /// In its place, pixels up to outlineWidth from where g = n.v is 0. A smooth surface of the
+  /// curvature c towards the eye has g^2 = 2 c d at d pixels from its border, and a triangle of it,
+  /// whose plane is tilted to f = |n.v|, f |grad g| = c: the line covers clamp(outlineWidth + 1/2 -
+  /// g^2 / (2 f |grad g|)) of a pixel, grad by the pixels to the right and above in the plane.
   bool evenOutline = false;
   float outlineWidth = 2;  ///< pixels, >= 0; of all outlines but that by a threshold
   Vec3f outlineColor = {0, 0, 0};

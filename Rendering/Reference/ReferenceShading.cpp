@@ -835,10 +835,14 @@ Vec3f shade(const Scene& scene, const Instance& instance, const InstanceTransfor
   const Face above(scene, instance, transform, meshOrigin, abovePoint);
 
   float line = 0.0f;
-  if (style.evenOutline)
-    line = evenLine({face.facingEye(), right.facingEye(), above.facingEye()}, style.outlineWidth);
-  else if (std::fabs(face.facingEye()) < style.outlineThreshold)
-    line = 1.0f;
+  if (style.evenOutline) {
+    const Vec3f p = face.pixelPosition();
+    const Vec3f across = cross(right.pixelPosition() - p, above.pixelPosition() - p);
+    const float tilt = std::fabs(dot(normalized(across), towardEye(scene.camera, p)));
+    line = evenLine({face.facingEye(), right.facingEye(), above.facingEye()}, tilt,
+                    style.outlineWidth);
+  }
+  if (!style.evenOutline && std::fabs(face.facingEye()) < style.outlineThreshold) line = 1.0f;
   line = line * style.outlineOpacity;
   if (line >= 1.0f) return style.outlineColor;
   const Vec3f color = surfaceColor(scene, instance, lights, point, face, right, above);

@@ -71,10 +71,11 @@ float onOff(float highlight, float slope)
   return smoothStep((highlight - 0.5f) / bounded(slope, kLeastSlope, 1.0f) + 0.5f);
 }
 
-float evenLine(ScreenValues g, float width)
+float evenLine(ScreenValues g, float f, float width)
 {
-  const float slope = slopeOf(g);
-  const float distance = std::fabs(g.here) / (2.0f * (slope > kLeastSlope ? slope : kLeastSlope));
+  const float curvature = f * slopeOf(g);
+  const float distance =
+      (g.here * g.here) / (2.0f * (curvature > kLeastSlope ? curvature : kLeastSlope));
   return bounded((width + 0.5f) - distance, 0.0f, 1.0f);
 }
 

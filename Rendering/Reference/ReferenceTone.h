@@ -21,8 +21,8 @@ float smoothStep(float x);
 float stepped(float t, float slope, int bands);
 /// A highlight, all or nothing.
 float onOff(float highlight, float slope);
-/// How much of a pixel the line of Style::evenOutline covers, g = n.v.
-float evenLine(ScreenValues g, float width);
+/// How much of a pixel the line of Style::evenOutline covers, g = n.v, f that of the triangle.
+float evenLine(ScreenValues g, float f, float width);
 
 /// Tone::kMetal's grey.
 float metalGrey(Vec3f n, Vec3f l);

@@ -488,9 +488,12 @@ class Shader {
   {
     V line = hn::IfThenElseZero(onOutline(), set(1.0f));
     if (style_.evenOutline) {
-      const CornerWeights& weights = lanes_.weights();
-      line = evenLine({facingEye(lanes_), facingEye(lanes_.movedTo(weights.right)),
-                       facingEye(lanes_.movedTo(weights.above))},
+      const FragmentLanes<Lanes> right = lanes_.movedTo(lanes_.weights().right);
+      const FragmentLanes<Lanes> above = lanes_.movedTo(lanes_.weights().above);
+      const Lanes3 p = lanes_.pixelPosition();
+      const Lanes3 across = cross(sub(right.pixelPosition(), p), sub(above.pixelPosition(), p));
+      const V tilt = hn::Abs(dot(normalized(across), lighting_.towardEye(p)));
+      line = evenLine({facingEye(lanes_), facingEye(right), facingEye(above)}, tilt,
                       style_.outlineWidth);
     }
     line = hn::Mul(line, set(style_.outlineOpacity));

@@ -69,12 +69,12 @@ HWY_INLINE V onOff(V highlight, V slope)
   return smoothStep(hn::Add(hn::Div(hn::Sub(highlight, set(0.5f)), pixel), set(0.5f)));
 }
 
-/// How much of a pixel the line of Style::evenOutline covers, g = n.v.
-HWY_INLINE V evenLine(ScreenValues g, float width)
+/// How much of a pixel the line of Style::evenOutline covers, g = n.v, f that of the triangle.
+HWY_INLINE V evenLine(ScreenValues g, V f, float width)
 {
-  const V slope = slopeOf(g), least = set(kLeastSlope);
-  const V distance = hn::Div(
-      hn::Abs(g.here), hn::Mul(set(2.0f), hn::IfThenElse(hn::Gt(slope, least), slope, least)));
+  const V curvature = hn::Mul(f, slopeOf(g)), least = set(kLeastSlope);
+  const V bounds = hn::IfThenElse(hn::Gt(curvature, least), curvature, least);
+  const V distance = hn::Div(hn::Mul(g.here, g.here), hn::Mul(set(2.0f), bounds));
   return bounded(hn::Sub(set(width + 0.5f), distance), 0.0f, 1.0f);
 }
 

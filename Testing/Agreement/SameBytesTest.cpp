@@ -28,7 +28,7 @@ constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 14605611306974679685u;
 constexpr std::uint64_t kHashOfImageLines = 12411982779336006324u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
-constexpr std::uint64_t kHashOfTones = 10525385779553263118u;
+constexpr std::uint64_t kHashOfTones = 14800548386128781990u;
 constexpr std::uint64_t kHashOfDataTones = 17885076244719390221u;
 constexpr std::uint64_t kHashOfHulls = 12766414417319064616u;
 

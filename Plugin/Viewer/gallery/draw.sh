@@ -101,6 +101,17 @@ draw teapot_gooch_chapter "Gooch as the chapter prints it: cool faces the light"
   "$teapot" --tone=gooch-chapter "$lamp"
 draw teapot_outline "Outline where |n.v| is small" \
   "$teapot" --reflection=none --specular=0,0,0 --color=1,1,1 --outline=normal --samples=8
+draw teapot_outline_even "Outline of two pixels, whatever the surface" \
+  "$teapot" --reflection=none --specular=0,0,0 --color=1,1,1 --outline=normal --outline-width=2 --samples=8
+draw teapot_toon "Toon: light in three steps" "$teapot" --tone=toon --color=0.85,0.35,0.2 --ambient=0.85,0.35,0.2 \
+  --specular=0.35,0.35,0.35 --specular-power=60 --light=directional:0.7,-1,-0.8:0.7,0.7,0.7 \
+  --ambient-light=0.4,0.4,0.46 --outline=normal --outline-width=2
+draw knot_toon_gooch "Gooch in five steps, lit from above and the right of the camera" "$meshes/knot.obj" --tone=gooch \
+  --toon-steps=5 --tone-light=upper-right --color=0.6,0.6,0.6 --specular=0.4,0.4,0.4
+draw teapot_metal "Milled metal" "$teapot" --tone=metal --tone-light=upper-right --outline=normal --outline-width=2
+draw knot_toon_ramp "X-Toon: far parts lose their contrast" "$meshes/knot.obj" \
+  --toon-ramp=Data/Textures/toon_ramp.png --light=directional:0.7,-1,-0.8:1,1,1 --toon-ramp-range=11,15
+draw teapot_matcap "A picture of a lit sphere" "$teapot" --matcap=Data/Textures/lit_sphere.png
 draw knot_gooch_outline "Both" "$meshes/knot.obj" --tone=gooch --outline=normal "$lamp"
 
 section "Light" "Point lights fall off with the square of the distance; spots have a cone."
