@@ -219,10 +219,23 @@ void setRamp(const MaterialSettings& material, vtkLimnProperty& property)
   property.SetToonRampRange(material.rampRange.value_or(std::array<double, 2>{ 0, 0 }).data());
 }
 
+int outlineOf(Outline outline)
+{
+  switch (outline)
+  {
+    case Outline::Normal:
+      return vtkLimnProperty::OUTLINE_NORMAL;
+    case Outline::Hull:
+      return vtkLimnProperty::OUTLINE_HULL;
+    case Outline::None:
+      break;
+  }
+  return vtkLimnProperty::OUTLINE_NONE;
+}
+
 void setOutline(const MaterialSettings& material, vtkLimnProperty& property)
 {
-  property.SetOutline(material.outline == Outline::Normal ? vtkLimnProperty::OUTLINE_NORMAL
-                                                          : vtkLimnProperty::OUTLINE_NONE);
+  property.SetOutline(outlineOf(material.outline));
   property.SetOutlineWidth(material.outlineWidth.value_or(0));
   property.SetOutlineColor(material.outlineColor.value_or(Color{ 0, 0, 0 }).data());
   property.SetOutlineOpacity(material.outlineOpacity.value_or(1));

@@ -68,7 +68,7 @@ const Choices<ToneOverData>& tonesOverData()
 const Choices<Outline>& outlines()
 {
   static const Choices<Outline> choices = { { "none", Outline::None },
-    { "normal", Outline::Normal } };
+    { "normal", Outline::Normal }, { "hull", Outline::Hull } };
   return choices;
 }
 

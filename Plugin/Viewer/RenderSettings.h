@@ -83,7 +83,8 @@ enum class ToneOverData
 enum class Outline
 {
   None,
-  Normal
+  Normal,
+  Hull
 };
 
 enum class Window
@@ -229,7 +230,7 @@ struct MaterialSettings
   std::optional<std::array<double, 2>> rampRange; ///< of the clipping planes if not given
   Outline outline = Outline::None;
   std::optional<Color> outlineColor;    ///< black if not given
-  std::optional<double> outlineWidth;   ///< pixels; by a threshold if not given
+  std::optional<double> outlineWidth;   ///< pixels; the property's default if not given
   std::optional<double> outlineOpacity; ///< 0 to 1; 1 if not given
   bool backfaceCulling = false;
 };

@@ -243,9 +243,10 @@ void addIllustration(OptionList& options, MaterialSettings& material)
 {
   options.startGroup("Illustration");
   addTone(options, material);
-  options.add("--outline", "name", "none, normal (where the surface turns away) (none)",
-    choose(material.outline, outlines(), { "hull", "image" }));
-  options.add("--outline-width", "pixels", "up to 1000 (wider where the surface is flatter)",
+  options.add("--outline", "name",
+    "none, normal (where the surface turns away), hull (a\nline around it, equally wide) (none)",
+    choose(material.outline, outlines(), { "image" }));
+  options.add("--outline-width", "pixels", "up to 1000 (hull 1.5, normal wider where flatter)",
     into(material.outlineWidth, parseWidth));
   options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));
   options.add("--outline-opacity", "a", "0 to 1 (1)", into(material.outlineOpacity, parseShare));

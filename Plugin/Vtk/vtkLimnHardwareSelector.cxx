@@ -118,6 +118,7 @@ void vtkLimnHardwareSelector::DrawIds()
   limn::bridge::FrameNormals normals;
   for (const SelectedSurface& surface : selected.Surfaces)
   {
+    // Outlines are left out: what is under the ink is what is picked.
     limn::Instance instance;
     if (limn::bridge::describe(surface.Surface, instance, normals, nullptr))
     {

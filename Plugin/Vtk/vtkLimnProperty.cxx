@@ -188,7 +188,7 @@ const char* vtkLimnProperty::GetToonRampByAsString()
 //------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetOutlineAsString()
 {
-  static const char* const names[] = { "None", "Normal" };
+  static const char* const names[] = { "None", "Normal", "Hull" };
   return names[this->Outline];
 }
 

@@ -7,8 +7,8 @@
  * An ordinary vtkProperty until one of its own settings is changed: with all of them at their
  * defaults a surface looks as VTK's OpenGL shaders draw it. ShadingFrequency and ReflectionModel
  * choose when and how light is computed, Tone replaces the diffuse shades by a colour scale,
- * Outline darkens the surface where it turns away from the viewer, and textures can do more than
- * vtkTexture's own way of multiplying the lit colour.
+ * Outline darkens the surface where it turns away from the viewer or draws a line around it, and
+ * textures can do more than vtkTexture's own way of multiplying the lit colour.
  *
  * Only Limn's mapper reads these settings. n is the surface normal, l points towards the light, v
  * towards the eye, h halfway between them, r along the reflected ray; all are unit vectors.
@@ -389,19 +389,25 @@ public:
   enum Outlines
   {
     OUTLINE_NONE = 0,
-    OUTLINE_NORMAL
+    OUTLINE_NORMAL,
+    OUTLINE_HULL
   };
 
   ///@{
   /**
    * Normal: pixels where |n.v| is below OutlineThreshold get OutlineColor, a line that is the wider
    * the flatter the surface turns away; with an OutlineWidth a line of that width inside the
-   * surface's border. Default: None.
+   * surface's border. Hull: a line outside of the surface, OutlineWidth pixels wide at any
+   * distance, tilt and shape of window, around it and along the contours before other parts of it,
+   * mitred at corners: the faces that look away are drawn once more, their outer corners moved out
+   * on the screen. For surfaces that bound solids; borders of open ones get no line. Points in the
+   * same place count as one. Picking takes what the line covers. Default: None.
    */
-  vtkSetClampMacro(Outline, int, OUTLINE_NONE, OUTLINE_NORMAL);
+  vtkSetClampMacro(Outline, int, OUTLINE_NONE, OUTLINE_HULL);
   vtkGetMacro(Outline, int);
   void SetOutlineToNone() { this->SetOutline(OUTLINE_NONE); }
   void SetOutlineToNormal() { this->SetOutline(OUTLINE_NORMAL); }
+  void SetOutlineToHull() { this->SetOutline(OUTLINE_HULL); }
   const char* GetOutlineAsString();
   ///@}
 
@@ -415,7 +421,8 @@ public:
 
   ///@{
   /**
-   * In pixels, at least 0. Default: 0, for the outline Normal a line by OutlineThreshold.
+   * In pixels, at least 0. Default: 0, for the outline Normal a line by OutlineThreshold, for the
+   * others 1.5 pixels.
    */
   vtkSetMacro(OutlineWidth, double);
   vtkGetMacro(OutlineWidth, double);

@@ -444,10 +444,10 @@ TEST(Arguments, ValuesOfLaterVersionsAreNamedAsSuch)
   EXPECT_EQ(renderErrorOf({ "--tone=sepia" }),
     "--tone=sepia is unknown; choose one of: none, gooch, gooch-chapter, gooch-rtr4, "
     "gooch-orange-book, metal, toon");
-  EXPECT_EQ(renderErrorOf({ "--outline=hull" }),
-    "--outline=hull is not served by this version; choose one of: none, normal");
   EXPECT_EQ(renderErrorOf({ "--outline=image" }),
-    "--outline=image is not served by this version; choose one of: none, normal");
+    "--outline=image is not served by this version; choose one of: none, normal, hull");
+  EXPECT_EQ(renderErrorOf({ "--outline=image" }),
+    "--outline=image is not served by this version; choose one of: none, normal, hull");
 }
 
 TEST(Arguments, MisspelledValuesNameTheAllowedOnes)
@@ -557,7 +557,11 @@ TEST(Arguments, OptionsThatNeedOrExcludeEachOther)
   EXPECT_NE(renderErrorOf({ "--cool=0,0,1" }).find("--cool needs a tone"), std::string::npos);
   EXPECT_NE(renderErrorOf({ "--warm=1,1,0", "--tone=none" }).find("--warm needs a tone"),
     std::string::npos);
-  EXPECT_EQ(renderErrorOf({ "--outline-color=1,0,0" }), "--outline-color needs --outline=normal");
+  EXPECT_EQ(renderErrorOf({ "--outline-color=1,0,0" }),
+    "--outline-color needs --outline=normal or --outline=hull");
+  EXPECT_EQ(renderErrorOf({ "--outline=normal", "--outline-width=2" }),
+    "--outline-width needs --outline=hull");
+  EXPECT_EQ(renderErrorOf({ "--outline-opacity=0.5" }), "--outline-opacity needs --outline=hull");
   EXPECT_EQ(errorOf({ "view", "a.obj", "--cool=0,0,1", "--outline-color=1,0,0" }), "");
   EXPECT_NE(renderErrorOf({ "--coloring-range=0,1" }).find("--coloring-array"), std::string::npos);
   EXPECT_NE(renderErrorOf({ "--camera-parallel-scale=1" }).find("--camera-orthographic"),

@@ -225,6 +225,7 @@ TEST_F(View, KeysSwitchTheLook)
   expectChange(XK_t, "tone gooch-chapter");
   expectChange(XK_t, "tone none");
   expectChange(XK_o, "outline normal");
+  expectChange(XK_o, "outline hull");
   expectChange(XK_o, "outline none");
 }
 

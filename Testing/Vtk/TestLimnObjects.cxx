@@ -175,6 +175,9 @@ void checkPropertyCopy()
   CHECK_EQUAL(copy->GetOutlineThreshold(), 0.9);
   CHECK_EQUAL(copy->GetMatCap(), property->GetMatCap());
   CHECK_EQUAL(copy->GetToonRamp()->GetInput(), picture.GetPointer());
+  
+  property->SetOutline(99);
+  CHECK_EQUAL(std::string(property->GetOutlineAsString()), "Hull");
 
   property->SetShadingFrequency(99);
   CHECK_EQUAL(property->GetShadingFrequency(), int(vtkLimnProperty::FREQUENCY_PHONG));

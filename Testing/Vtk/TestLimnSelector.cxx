@@ -8,9 +8,11 @@
 #include "Stage.h"
 
 #include "vtkLimnHardwareSelector.h"
+#include "vtkLimnProperty.h"
 
 #include "vtkAssemblyPath.h"
 #include "vtkCellPicker.h"
+#include "vtkCubeSource.h"
 #include "vtkDataObject.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -122,10 +124,41 @@ void checkDepthAfterSelections()
   CHECK_EQUAL(depthAfterSelection(), 1.0);
   CHECK_EQUAL(right->GetZ(75, 40), depth);
 }
+
+// The ink of an outline is nobody's: what it covers is found, as without it.
+void checkOutline()
+{
+  Stage stage;
+  stage.LookFlat();
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(20);
+  cube->SetYLength(20);
+  cube->SetZLength(0.5);
+  cube->SetCenter(50, 40, 0);
+  stage.Mapper->SetInputConnection(cube->GetOutputPort());
+  vtkNew<vtkLimnActor> behind;
+  vtkNew<vtkLimnPolyDataMapper> wall;
+  wall->SetInputData(bigSquare());
+  behind->SetMapper(wall);
+  behind->SetPosition(0, 0, -0.5);
+  stage.Renderer->AddActor(behind);
+  const Picture without = render(stage.Window);
+  const Selected onBorder = select(stage, 56, 40, 64, 40);
+  const Selected besides = select(stage, 61, 40, 63, 40);
+  auto* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+  property->SetOutlineToHull();
+  property->SetOutlineWidth(5);
+  CHECK(!(render(stage.Window) == without));
+  CHECK(select(stage, 56, 40, 64, 40) == onBorder);
+  CHECK(select(stage, 61, 40, 63, 40) == besides);
+  CHECK_EQUAL(besides.count(stage.Actor.Get()), 0u);
+  CHECK_EQUAL(onBorder.size(), 2u);
+}
 }
 
 int TestLimnSelector(int, char*[])
 {
+  checkOutline();
   Stage stage;
   stage.LookFlat();
   vtkSmartPointer<vtkPolyData> data = twoSquares();

@@ -9,6 +9,7 @@
 #include "vtkLimnProperty.h"
 
 #include "vtkCellData.h"
+#include "vtkCubeSource.h"
 #include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
@@ -488,10 +489,65 @@ void checkFlatPoints()
   CHECK(greyOf(20, 20, vtkLimnProperty::FLAT_AT_FIRST_VERTEX) < 30);
   CHECK_EQUAL(greyOf(20, 20, vtkLimnProperty::FLAT_AT_CENTROID), 255);
 }
+
+// As wide as it says around the outside, whatever the camera does; made once for the mesh, and anew
+// when its points move.
+void checkHull()
+{
+  Stage stage;
+  stage.LookFlat();
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(20);
+  cube->SetYLength(20);
+  cube->SetZLength(0.5);
+  cube->Update();
+  vtkNew<vtkPolyData> data;
+  data->DeepCopy(cube->GetOutput());
+  stage.Mapper->SetInputData(data);
+  stage.Actor->SetPosition(50, 40, 0);
+  auto* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+  property->SetColor(1, 0, 0);
+  const Picture without = render(stage.Window);
+  const int inside = without.CountOtherThan(Black);
+  CHECK_EQUAL(inside, 400);
+  property->SetOutlineToHull();
+  property->SetOutlineColor(0, 1, 0);
+  property->SetOutlineWidth(3);
+  const auto check = [&](int width)
+  {
+    const Picture now = render(stage.Window);
+    CHECK_EQUAL(now.CountOtherThan(Black), (20 + 2 * width) * (20 + 2 * width));
+    CHECK_EQUAL(now.At(50, 40), (Pixel{ 255, 0, 0 }));
+    CHECK_EQUAL(now.At(60, 40), (Pixel{ 0, 255, 0 }));
+    CHECK_EQUAL(now.At(59 + width, 49 + width), (Pixel{ 0, 255, 0 }));
+    CHECK_EQUAL(now.At(60 + width, 40), Black);
+  };
+  check(3);
+  property->SetOutlineWidth(5);
+  check(5);
+  stage.Renderer->GetActiveCamera()->SetParallelScale(20);
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 50 * 50);
+  stage.Renderer->GetActiveCamera()->SetParallelScale(40);
+  check(5);
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 1);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    data->GetPoint(i, point);
+    data->GetPoints()->SetPoint(i, 2 * point[0], point[1], point[2]);
+  }
+  data->GetPoints()->Modified();
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 50 * 30);
+  property->SetOutlineOpacity(0.5);
+  CHECK_EQUAL(render(stage.Window).At(50, 52), (Pixel{ 0, 128, 0 }));
+  property->SetOutlineWidth(0);
+  CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 40 * 20);
+}
 }
 
 int TestLimnSurfaces(int, char*[])
 {
+  checkHull();
   checkVertexNormals();
   checkManyNormalsOfOneMapper();
   checkFlatPoints();

@@ -221,6 +221,12 @@ void checkBrokenReflection()
     { "RimPower of its vtkLimnProperty has the value -2; it has to be a finite number, not "
       "negative.",
       [](vtkLimnProperty* property) { property->SetRimPower(-2); } },
+    { "OutlineWidth of its vtkLimnProperty has the value -1; it has to be a finite number, not "
+      "negative.",
+      [](vtkLimnProperty* property) { property->SetOutlineWidth(-1); } },
+    { "OutlineColor of its vtkLimnProperty has the value -3; it has to be a finite number, not "
+      "negative.",
+      [](vtkLimnProperty* property) { property->SetOutlineColor(0, 0, -3); } },
     { "RefractiveIndex of its vtkLimnProperty has the value 0.9; it has to be a finite number, at "
       "least 1.",
       [](vtkLimnProperty* property) { property->SetRefractiveIndex(1.5, 0.9, 1.5); } },

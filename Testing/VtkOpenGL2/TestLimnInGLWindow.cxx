@@ -139,6 +139,40 @@ protected:
   }
 };
 
+// As in the window without OpenGL, before and behind actors of OpenGL; a translucent outline of an
+// opaque actor lets the background through.
+TEST(LimnOutline, GoesThroughTheWindowsDepth)
+{
+  GLScene scene(0);
+  vtkSmartPointer<vtkActor> sphere = MakeSphere(MakeLimnActor);
+  scene.Renderer->AddActor(MakeWall(MakeGLActor));
+  scene.Renderer->AddActor(sphere);
+  auto* const property = vtkLimnProperty::SafeDownCast(sphere->GetProperty());
+  const Picture without = scene.Render();
+  property->SetOutlineToHull();
+  property->SetOutlineColor(0, 1, 0);
+  property->SetOutlineWidth(6);
+  const Picture with = scene.Render();
+  // The sphere has 56 pixels of radius around (100, 80).
+  const auto at = [](const Picture& picture, int x, int channel)
+  { return int{ picture.Bytes[4 * (80 * picture.Width + x) + channel] }; };
+  for (int x = 100 + 57; x < 100 + 61; ++x)
+  {
+    EXPECT_EQ(at(with, x, 0), 0) << x;
+    EXPECT_EQ(at(with, x, 1), 255) << x;
+  }
+  for (const int x : { 100, 140, 165, 190 })
+  {
+    EXPECT_EQ(at(with, x, 0), at(without, x, 0)) << x;
+    EXPECT_EQ(at(with, x, 1), at(without, x, 1)) << x;
+  }
+  property->SetOutlineOpacity(0.5);
+  const Picture faint = scene.Render();
+  EXPECT_NEAR(at(faint, 159, 0), at(without, 159, 0) / 2, 1);
+  EXPECT_NEAR(at(faint, 159, 1), (at(without, 159, 1) + 255) / 2, 1);
+  EXPECT_EQ(at(faint, 140, 1), at(without, 140, 1));
+}
+
 TEST_P(SceneTest, AloneLooksAsInOpenGL)
 {
   this->Wholly.Renderer->AddActor(MakeSphere(MakeGLActor));

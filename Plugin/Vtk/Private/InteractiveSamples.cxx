@@ -30,7 +30,8 @@ int interactiveSamples(const Scene& scene, vtkRenderer* renderer, int wanted)
   double triangles = 0;
   for (const Instance& instance : scene.instances)
   {
-    triangles += static_cast<double>(instance.clusters->triangleCount);
+    // A hull is some triangles along the outline of a mesh that is counted itself.
+    triangles += instance.hull ? 0 : static_cast<double>(instance.clusters->triangleCount);
   }
   int size[2];
   renderer->GetTiledSize(&size[0], &size[1]);

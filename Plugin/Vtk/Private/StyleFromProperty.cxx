@@ -234,6 +234,14 @@ void setTone(vtkLimnProperty* property, Style& style)
   }
 }
 
+float outlineWidthOf(vtkLimnProperty* property)
+{
+  constexpr float kWidth = 1.5f;
+  const auto width = static_cast<float>(property->GetOutlineWidth());
+  const bool isByThreshold = property->GetOutline() == vtkLimnProperty::OUTLINE_NORMAL;
+  return width == 0 && !isByThreshold ? kWidth : width;
+}
+
 void setIllustration(vtkLimnProperty* property, Style& style)
 {
   style.reflection = toReflection(property->GetReflectionModel());
@@ -241,7 +249,7 @@ void setIllustration(vtkLimnProperty* property, Style& style)
   style.fresnel = property->GetFresnel() && local == 0;
   style.fallOff = property->GetFallOff() && (local == 0 || local >= 3);
   setTone(property, style);
-  style.outlineWidth = static_cast<float>(property->GetOutlineWidth());
+  style.outlineWidth = outlineWidthOf(property);
   style.outlineColor = toVec3f(property->GetOutlineColor());
   style.outlineOpacity = static_cast<float>(property->GetOutlineOpacity());
   if (property->GetOutline() == vtkLimnProperty::OUTLINE_NORMAL)
@@ -452,6 +460,7 @@ std::string unusableValueOf(vtkProperty* property)
     { "RimPower", { &rimPower, 1 } },
     { "Undertone", { &undertone, 1 } },
     { "LegendSafeRange", { &legendSafeRange, 1 } },
+    { "OutlineColor", { limn ? limn->GetOutlineColor() : none, 3 } },
     { "OutlineWidth", { &outlineWidth, 1 } },
     { "OutlineOpacity", { &outlineOpacity, 1 } },
     { "RefractiveIndex", { limn ? limn->GetRefractiveIndex() : none, 3 }, 1 },
@@ -500,10 +509,28 @@ Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)
   return style;
 }
 
+bool hasHull(vtkProperty* property)
+{
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  return limn && limn->GetOutline() == vtkLimnProperty::OUTLINE_HULL &&
+         limn->GetOutlineOpacity() > 0;
+}
+
+Style hullStyleOf(vtkProperty* property)
+{
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  Style style;
+  style.outlineColor = toVec3f(limn->GetOutlineColor());
+  style.outlineWidth = outlineWidthOf(limn);
+  style.outlineOpacity = static_cast<float>(limn->GetOutlineOpacity());
+  return style;
+}
+
 SurfaceNeeds needsOf(vtkProperty* property)
 {
   const int frequency = frequencyOf(property);
   SurfaceNeeds needs;
+  needs.hull = hasHull(property);
   needs.normals = normalChoiceOf(property);
   needs.vertexNormals = frequency == vtkLimnProperty::FREQUENCY_GOURAUD ||
                         frequency == vtkLimnProperty::FREQUENCY_PHONG;

@@ -23,7 +23,13 @@ std::string unusableValueOf(vtkProperty* property);
 /// that chooses something else.
 Style styleOf(vtkProperty* property, const SurfaceMesh& mesh);
 
-/// What styleOf() will read that is not in the data.
+/// Whether the property asks for an inverted hull that can be seen.
+bool hasHull(vtkProperty* property);
+
+/// How it wants that drawn.
+Style hullStyleOf(vtkProperty* property);
+
+/// What styleOf() and the hull will read that is not in the data.
 SurfaceNeeds needsOf(vtkProperty* property);
 
 } // namespace limn::bridge

@@ -270,4 +270,17 @@ bool describeLines(
   return status.ok();
 }
 
+bool describeHull(const Surface& surface, Instance& hull)
+{
+  vtkProperty* const property = surface.actor->GetProperty();
+  if (!hasHull(property))
+  {
+    return false;
+  }
+  surface.mapper->GetInternals().Mesh.describeHull(hull);
+  hull.modelToWorld = surface.modelToWorld;
+  hull.style = hullStyleOf(property);
+  return true;
+}
+
 } // namespace limn::bridge

@@ -63,6 +63,11 @@ bool describe(
 bool describeLines(
   const Surface& surface, const LineView& view, Instance& instance, FrameLines& lines);
 
+/// The inverted hull of the surface as an instance of its own, borrowing from the mapper. False if
+/// its property asks for none.
+/// Requires: describe() of the surface was the last of its mapper.
+bool describeHull(const Surface& surface, Instance& hull);
+
 } // namespace limn::bridge
 
 #endif

@@ -94,6 +94,8 @@ Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
   computed_.clear();
   normals_.reset();
   faces_ = {};
+  hull_ = {};
+  hasHull_ = false;
   firstCorners_ = std::vector<Vec3d>();
   points_.set(data->GetPoints()->GetData());
   return sameCells && refitClusters(this->view(), threads, clusters_)
@@ -154,7 +156,8 @@ Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int thr
   const bool lacksFaces = needs.faceGeometry && faces_.centroid.empty();
   const bool lacksCorners = needs.firstCorners && firstCorners_.empty();
   const bool lacksTriangles = surface_.triangles.empty() && !this->isEmpty();
-  if (lacksTriangles && (lacksNormals || lacksFaces || lacksCorners || needs.triangles))
+  const bool keepsTriangles = needs.triangles || needs.hull;
+  if (lacksTriangles && (lacksNormals || lacksFaces || lacksCorners || keepsTriangles))
   {
     surface_ = trianglesFromPolyData(data, threads);
   }
@@ -182,7 +185,15 @@ Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int thr
     firstCorners_ = limn::firstCorners(this->view(), surface_.cells, cellCount_);
   }
   isLitAtFirstCorners_ = needs.firstCorners;
-  if (!needs.triangles && !this->isMoved())
+  if (needs.hull && !hasHull_)
+  {
+    if (const Status status = buildHullEdges(this->view(), threads, hull_); !status.ok())
+    {
+      return status;
+    }
+    hasHull_ = true;
+  }
+  if (!keepsTriangles && !this->isMoved())
   {
     // The pipeline reads clusters only, and of a large mesh these are hundreds of megabytes, which
     // an empty list of initializers would keep.
@@ -260,6 +271,14 @@ void SurfaceMesh::describe(Instance& instance) const
   attributes.faceNormals = faces_.normal;
   attributes.cells = surface_.cells;
   attributes.cellCount = cellCount_;
+}
+
+void SurfaceMesh::describeHull(Instance& instance) const
+{
+  instance.hull = &hull_;
+  instance.mesh = this->view();
+  instance.attributes.cells = surface_.cells;
+  instance.attributes.cellCount = cellCount_;
 }
 
 std::string SurfaceMesh::complaint() const

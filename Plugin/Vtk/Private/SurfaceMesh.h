@@ -9,6 +9,7 @@
 
 #include "Rendering/Base/Status.h"
 #include "Rendering/Mesh/FaceGeometry.h"
+#include "Rendering/Mesh/HullEdges.h"
 #include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Scene.h"
 
@@ -44,6 +45,7 @@ struct SurfaceNeeds
   bool faceGeometry = false;
   bool firstCorners = false; ///< to light faces at, in place of their centroids
   bool triangles = false;    ///< for the reference renderer, and lines
+  bool hull = false;         ///< implies `triangles`
 };
 
 /// What one mapper keeps of its input between frames. Geometry is prepared anew only when cells are
@@ -66,6 +68,8 @@ public:
   /// Sets the instance's geometry and attributes as the last update() asked for them; they are
   /// valid until the data changes, but for computedNormals().
   void describe(Instance& instance) const;
+  /// Likewise of the instance that draws the hull. Requires: the last update() asked for it.
+  void describeHull(Instance& instance) const;
 
   bool isEmpty() const { return this->clusters_.triangleCount == 0; }
   bool hasPointNormals() const { return !this->pointNormals_.span().empty(); }
@@ -133,6 +137,8 @@ private:
   std::vector<Computed> computed_; ///< the last used last
   std::shared_ptr<const SplitNormals> normals_;
   FaceGeometry faces_;
+  HullEdges hull_;
+  bool hasHull_ = false; ///< the above is of the geometry
   std::vector<Vec3d> firstCorners_;
   bool isLitAtFirstCorners_ = false;
 

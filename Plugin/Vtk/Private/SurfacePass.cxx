@@ -69,7 +69,8 @@ private:
   std::unordered_map<vtkObject*, std::unique_ptr<SurfacePass>> passes_;
 };
 
-/// Those surfaces that have something to draw.
+/// Those surfaces that have something to draw, and then the hulls, those last that others show
+/// through.
 struct Drawables
 {
   std::vector<Instance> instances;
@@ -79,9 +80,39 @@ struct Drawables
   FrameLines lines;
 };
 
+class Hulls
+{
+public:
+  void add(const Instance& hull, vtkActor* actor)
+  {
+    (hull.isTranslucent() ? translucent_ : opaque_).push_back({ hull, actor });
+  }
+  void appendTo(Drawables& drawables) const
+  {
+    for (const std::vector<Hull>* hulls : { &opaque_, &translucent_ })
+    {
+      for (const Hull& hull : *hulls)
+      {
+        drawables.instances.push_back(hull.instance);
+        drawables.actors.push_back(hull.actor);
+      }
+    }
+  }
+
+private:
+  struct Hull
+  {
+    Instance instance;
+    vtkActor* actor;
+  };
+  std::vector<Hull> opaque_;
+  std::vector<Hull> translucent_;
+};
+
 Drawables describeAll(const std::vector<Surface>& surfaces, const LineView& view)
 {
   Drawables drawables;
+  Hulls hulls;
   drawables.instances.reserve(surfaces.size());
   drawables.actors.reserve(surfaces.size());
   for (const Surface& surface : surfaces)
@@ -92,12 +123,17 @@ Drawables describeAll(const std::vector<Surface>& surfaces, const LineView& view
     {
       describeLines(surface, view, drawables.instances.back(), drawables.lines);
       drawables.actors.push_back(surface.actor);
+      if (Instance hull; describeHull(surface, hull))
+      {
+        hulls.add(hull, surface.actor);
+      }
     }
     else
     {
       drawables.instances.pop_back();
     }
   }
+  hulls.appendTo(drawables);
   return drawables;
 }
 
@@ -306,10 +342,26 @@ Status SurfacePass::renderInto(const Scene& scene, double prepareMilliseconds)
   {
     return this->renderInto(window, scene, prepareMilliseconds);
   }
-  // Of one kind, as translucent surfaces wait for their pass.
-  return scene.instances[0].isTranslucent()
-           ? this->renderTranslucentLayer(scene, prepareMilliseconds)
-           : this->renderLayer(scene, prepareMilliseconds);
+  // Of one kind, as translucent surfaces wait for their pass; but hulls of opaque ones may be
+  // translucent, and are the last then.
+  const Instance* const end = scene.instances.end();
+  const Instance* const split =
+    scene.instances[0].isTranslucent()
+      ? scene.instances.begin()
+      : std::find_if(scene.instances.begin(), end,
+          [](const Instance& instance) { return instance.isTranslucent(); });
+  Scene part = scene;
+  if (split != scene.instances.begin())
+  {
+    part.instances = { scene.instances.data(),
+      static_cast<std::size_t>(split - scene.instances.begin()) };
+    if (Status status = this->renderLayer(part, prepareMilliseconds); !status.ok() || split == end)
+    {
+      return status;
+    }
+  }
+  part.instances = { split, static_cast<std::size_t>(end - split) };
+  return this->renderTranslucentLayer(part, prepareMilliseconds);
 }
 
 vtkLimnRenderWindow* SurfacePass::window() const
