@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Data/Generator/GeneratedMeshes.h"
 #include "Rendering/Base/SamplePositions.h"
 #include "Rendering/Mesh/HullEdges.h"
 #include "Testing/Unit/TestScene.h"
@@ -176,6 +177,53 @@ TEST_P(Hull, OfACubeIsEquallyWideAndClosedAtEveryTurn)
     expectOutline(stage, draw(stage), outlineOf(stage, cube.mesh, place), 4);
     if (HasFatalFailure()) FAIL() << "frame " << frame;
   }
+}
+
+OwnedMesh generated(const GeneratedMesh& mesh)
+{
+  OwnedMesh owned;
+  owned.positions = mesh.positions;
+  owned.triangles = mesh.triangles();
+  owned.vertexNormals.assign(owned.positions.size(), {0, 0, 1});
+  finish(owned);
+  return owned;
+}
+
+/// Pixels of the background nearer than `distance` to one of the solid.
+std::size_t gaps(const Picture& picture, int distance)
+{
+  std::size_t count = 0;
+  const auto instance = [&](int x, int y) {
+    return picture.instance[static_cast<std::size_t>(y * picture.width + x)];
+  };
+  for (int y = distance; y < picture.height - distance; ++y)
+    for (int x = distance; x < picture.width - distance; ++x) {
+      if (instance(x, y) != 3) continue;
+      for (int dy = -distance; dy <= distance; ++dy)
+        for (int dx = -distance; dx <= distance; ++dx)
+          if (std::hypot(dx, dy) < distance && instance(x + dx, y + dy) == kNobody) ++count;
+    }
+  return count;
+}
+
+TEST_P(Hull, HasNoGapInAnyFrameOfATurn)
+{
+  const Solid solids[] = {Solid(generated(teapot(4))), Solid(generated(knot(60, 10, 0.5))),
+                          Solid(generated(gear(12, 0.6))), Solid(sphere(5, 7))};
+  const double sizes[] = {3.2, 4, 1.6, 1.3};
+  const int step = GetParam() == Backend::kReference ? 9 : 1;  // which takes its time
+  for (int i = 0; i < 4; ++i)
+    for (int frame = 0; frame < 360; frame += step) {
+      Stage stage;
+      stage.width = 96;
+      stage.height = 72;
+      stage.view =
+          perspectiveView({0, 0, 4 * sizes[i]}, {0, 0, 0}, 32, {2 * sizes[i], 6 * sizes[i]});
+      const Mat4d place = turned(0.4, frame * kPi / 180);
+      stage.instances = {solids[i].surface(place), solids[i].hull(4, place)};
+      const Picture picture = draw(stage);
+      ASSERT_EQ(gaps(picture, 3), 0u) << "solid " << i << " frame " << frame;
+    }
 }
 
 // A hull that is moved by the same number in clip x and y is 1.78 times as wide at the sides of a

@@ -540,7 +540,7 @@ void checkHull()
   CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 50 * 30);
   property->SetOutlineOpacity(0.5);
   CHECK_EQUAL(render(stage.Window).At(50, 52), (Pixel{ 0, 128, 0 }));
-  property->SetOutlineWidth(0);
+  property->SetOutlineOpacity(0);
   CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 40 * 20);
 }
 }
