@@ -173,6 +173,7 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
                    memory.fragments);
   memory.colors.hasRadiance = !frame.radiance.empty();
   memory.colors.hasNormals = !frame.normal.empty() || surfaces != nullptr;
+  memory.colors.hasPlanes = surfaces != nullptr;
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
   if (surfaces != nullptr)
     writeLayers(clusters, memory.visible, pixels, memory.fragments, memory.colors, *surfaces);

@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
+#include <utility>
 
 namespace limn::viewer
 {
@@ -258,26 +260,55 @@ void requirePng(const std::string& option, const std::string& file)
   }
 }
 
-void checkOutput(const RenderSettings& settings)
+/// All files that are written.
+void checkOutputs(const RenderSettings& settings)
 {
   if (settings.output.empty())
   {
     throw UserError("no output is named; add --output=FILE.png");
   }
-  requirePng("--output", settings.output);
-  if (settings.toneLegend.empty())
-  {
-    return;
-  }
-  requirePng("--tone-legend", settings.toneLegend);
-  if (settings.scene.material.tone == Tone::None || settings.scene.coloring.array.empty())
+  if (!settings.toneLegend.empty() &&
+      (settings.scene.material.tone == Tone::None || settings.scene.coloring.array.empty()))
   {
     refuseWithout("--tone-legend", "a tone and --coloring-array=NAME");
   }
-  if (settings.toneLegend == settings.output)
+  if (settings.maps.any() && settings.window == Window::Gl)
   {
-    throw UserError("--tone-legend and --output are the same file; name two");
+    throw UserError("an OpenGL window keeps no normals, depth and ids to write; leave out "
+                    "--window=gl");
   }
+  const std::pair<const char*, const std::string&> files[] = { { "--output", settings.output },
+    { "--output-normals", settings.maps.normals }, { "--output-depth", settings.maps.depth },
+    { "--output-ids", settings.maps.ids }, { "--tone-legend", settings.toneLegend } };
+  std::map<std::string, std::string> optionOf;
+  for (const auto& [option, file] : files)
+  {
+    if (file.empty())
+    {
+      continue;
+    }
+    requirePng(option, file);
+    const auto [other, isNew] = optionOf.emplace(file, option);
+    if (!isNew)
+    {
+      throw UserError(
+        other->second + " and " + option + " name the same file " + file + "; choose two");
+    }
+  }
+}
+
+void addMaps(OptionList& options, MapSettings& maps)
+{
+  const auto file = [](std::string& name)
+  { return [&name](const std::string&, const std::string& text) { name = text; }; };
+  options.add("--output-normals", "FILE.png",
+    "normals in view space: 255 (n + 1) / 2 (right, up,\ntowards the eye)", file(maps.normals));
+  options.add("--output-depth", "FILE.png", "16 bits of grey: window depth, white is farthest",
+    file(maps.depth));
+  options.add("--output-ids", "FILE.png",
+    "3 x 16 bits: red the number of the mesh, from 1 on,\n65536 green + blue its cell; black "
+    "where none is",
+    file(maps.ids));
 }
 
 using Arguments = std::vector<std::string>;
@@ -291,6 +322,7 @@ Request parseRender(const Arguments& arguments)
   options.addFiles("MESH", "files to draw, one scene", scene.meshes);
   options.add("--output", "FILE.png", "written whole or not at all",
     [&](const std::string&, const std::string& text) { settings.output = text; });
+  addMaps(options, settings.maps);
   addSceneOptions(options, scene);
   options.add("--tone-legend", "FILE.png",
     "the colours of --coloring-array as drawn: values from\nleft to right, from averted to facing "
@@ -319,7 +351,7 @@ Request parseRender(const Arguments& arguments)
   checkEffects(settings);
   checkReflection(scene.material);
   checkTextures(scene.texture);
-  checkOutput(settings);
+  checkOutputs(settings);
   if (background && settings.transparentBackground)
   {
     throw UserError("--background-color and --no-background exclude each other; give one");

@@ -227,18 +227,45 @@ int outlineOf(Outline outline)
       return vtkLimnProperty::OUTLINE_NORMAL;
     case Outline::Hull:
       return vtkLimnProperty::OUTLINE_HULL;
+    case Outline::Image:
+      return vtkLimnProperty::OUTLINE_IMAGE;
     case Outline::None:
       break;
   }
   return vtkLimnProperty::OUTLINE_NONE;
 }
 
+int outlineDetectorOf(Detector detector)
+{
+  switch (detector)
+  {
+    case Detector::Sobel:
+      return vtkLimnProperty::OUTLINE_BY_SOBEL;
+    case Detector::Laplacian:
+      return vtkLimnProperty::OUTLINE_BY_LAPLACIAN;
+    case Detector::Plane:
+      break;
+  }
+  return vtkLimnProperty::OUTLINE_BY_PLANE;
+}
+
 void setOutline(const MaterialSettings& material, vtkLimnProperty& property)
 {
-  property.SetOutline(outlineOf(material.outline));
-  property.SetOutlineWidth(material.outlineWidth.value_or(0));
+  const bool isVisible = material.outlineWidth.value_or(1) > 0;
+  property.SetOutline(outlineOf(isVisible ? material.outline : Outline::None));
   property.SetOutlineColor(material.outlineColor.value_or(Color{ 0, 0, 0 }).data());
+  property.SetOutlineWidth(material.outlineWidth.value_or(0));
   property.SetOutlineOpacity(material.outlineOpacity.value_or(1));
+  property.SetOutlineDetector(
+    outlineDetectorOf(material.outlineDetector.value_or(Detector::Plane)));
+  if (material.outlineTolerance)
+  {
+    property.SetOutlineDepthTolerance(*material.outlineTolerance);
+  }
+  if (material.outlineCreaseDegrees)
+  {
+    property.SetOutlineCreaseAngle(*material.outlineCreaseDegrees);
+  }
 }
 
 void setIllustration(const MaterialSettings& material, vtkLimnProperty& property)

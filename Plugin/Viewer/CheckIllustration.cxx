@@ -49,6 +49,34 @@ void checkToneOverData(const MaterialSettings& material)
   }
 }
 
+void checkOutline(const MaterialSettings& material)
+{
+  const std::pair<const char*, bool> ofLines[] = {
+    { "--outline-color", material.outlineColor.has_value() },
+    { "--outline-width", material.outlineWidth.has_value() },
+    { "--outline-opacity", material.outlineOpacity.has_value() },
+  };
+  for (const auto& [option, isGiven] : ofLines)
+  {
+    if (isGiven && material.outline == Outline::None)
+    {
+      throw UserError(std::string(option) + " needs --outline=normal, hull or image");
+    }
+  }
+  const std::pair<const char*, bool> ofImage[] = {
+    { "--outline-detector", material.outlineDetector.has_value() },
+    { "--outline-tolerance", material.outlineTolerance.has_value() },
+    { "--outline-crease-angle", material.outlineCreaseDegrees.has_value() },
+  };
+  for (const auto& [option, isGiven] : ofImage)
+  {
+    if (isGiven && material.outline != Outline::Image)
+    {
+      throw UserError(std::string(option) + " needs --outline=image");
+    }
+  }
+}
+
 } // namespace
 
 void takePictures(MaterialSettings& material)
@@ -91,18 +119,7 @@ void checkIllustration(const MaterialSettings& material)
   {
     throw UserError("--tone-light needs --tone=gooch or --toon-ramp=FILE");
   }
-  const std::pair<const char*, bool> options[] = {
-    { "--outline-color", material.outlineColor.has_value() },
-    { "--outline-width", material.outlineWidth.has_value() },
-    { "--outline-opacity", material.outlineOpacity.has_value() },
-  };
-  for (const auto& [name, isGiven] : options)
-  {
-    if (isGiven && material.outline == Outline::None)
-    {
-      throw UserError(std::string(name) + " needs --outline=normal");
-    }
-  }
+  checkOutline(material);
 }
 
 } // namespace limn::viewer

@@ -68,7 +68,7 @@ const Choices<ToneOverData>& tonesOverData()
 const Choices<Outline>& outlines()
 {
   static const Choices<Outline> choices = { { "none", Outline::None },
-    { "normal", Outline::Normal }, { "hull", Outline::Hull } };
+    { "normal", Outline::Normal }, { "hull", Outline::Hull }, { "image", Outline::Image } };
   return choices;
 }
 
@@ -86,6 +86,13 @@ const Choices<HiddenLines>& hiddenLines()
 {
   static const Choices<HiddenLines> choices = { { "off", HiddenLines::Off },
     { "dashed", HiddenLines::Dashed }, { "thin", HiddenLines::Thin } };
+  return choices;
+}
+
+const Choices<Detector>& detectors()
+{
+  static const Choices<Detector> choices = { { "plane", Detector::Plane },
+    { "sobel", Detector::Sobel }, { "laplacian", Detector::Laplacian } };
   return choices;
 }
 

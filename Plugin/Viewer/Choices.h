@@ -22,6 +22,7 @@ const Choices<RampBy>& rampDetails();
 const Choices<Outline>& outlines();
 const Choices<LineKind>& lineKinds();
 const Choices<HiddenLines>& hiddenLines();
+const Choices<Detector>& detectors();
 const Choices<TextureFilter>& textureFilters();
 const Choices<TextureWrap>& textureWraps();
 const Choices<TextureRole>& textureRoles();

@@ -6,12 +6,14 @@
 #include "BuildScene.h"
 #include "Colormap.h"
 #include "LoadMesh.h"
+#include "MapPictures.h"
 #include "Messages.h"
 #include "OpenWindow.h"
 #include "Picture.h"
 
 #include "vtkLimnEngine.h"
 #include "vtkLimnProperty.h"
+#include "vtkLimnRenderWindow.h"
 #include "vtkLimnToneLegend.h"
 
 #include <vtkNew.h>
@@ -48,7 +50,32 @@ struct Times
   double read = 0, render = 0, write = 0;
 };
 
-vtkSmartPointer<vtkImageData> drawPicture(
+struct DrawnPicture
+{
+  std::string file;
+  vtkSmartPointer<vtkImageData> picture;
+};
+
+std::vector<DrawnPicture> drawMaps(const MapSettings& maps, vtkLimnRenderWindow& window)
+{
+  std::vector<DrawnPicture> drawn;
+  if (!maps.normals.empty())
+  {
+    drawn.push_back({ maps.normals, pictureOfNormals(window) });
+  }
+  if (!maps.depth.empty())
+  {
+    drawn.push_back({ maps.depth, pictureOfDepth(window) });
+  }
+  if (!maps.ids.empty())
+  {
+    drawn.push_back({ maps.ids, pictureOfIds(window) });
+  }
+  return drawn;
+}
+
+/// All that is to be written.
+std::vector<DrawnPicture> drawPictures(
   const RenderSettings& settings, const std::vector<Mesh>& meshes)
 {
   const OpenedWindow opened = openWindow(settings.window, settings.scene);
@@ -58,6 +85,11 @@ vtkSmartPointer<vtkImageData> drawPicture(
     opened.window->AlphaBitPlanesOn();
     opened.renderer->SetBackground(0, 0, 0);
     opened.renderer->SetBackgroundAlpha(0);
+  }
+  auto* const limnWindow = vtkLimnRenderWindow::SafeDownCast(opened.window);
+  if (settings.maps.any())
+  {
+    limnWindow->MapsOn();
   }
   buildScene(settings.scene, meshes, *opened.renderer);
   applyEffects(settings.effects, *opened.renderer);
@@ -74,7 +106,15 @@ vtkSmartPointer<vtkImageData> drawPicture(
   }
   grabber->Update();
   throwCollectedErrors();
-  return grabber->GetOutput();
+  std::vector<DrawnPicture> drawn = { { settings.output, grabber->GetOutput() } };
+  if (settings.maps.any())
+  {
+    for (DrawnPicture& map : drawMaps(settings.maps, *limnWindow))
+    {
+      drawn.push_back(std::move(map));
+    }
+  }
+  return drawn;
 }
 
 /// Of colours by an array.
@@ -119,10 +159,13 @@ void printStats(const Times& times)
 ExitStatus render(const RenderSettings& settings)
 {
   preferWindow(settings.window);
-  checkWritable(settings.output);
-  if (!settings.toneLegend.empty())
+  for (const std::string& file : { settings.output, settings.maps.normals, settings.maps.depth,
+         settings.maps.ids, settings.toneLegend })
   {
-    checkWritable(settings.toneLegend);
+    if (!file.empty())
+    {
+      checkWritable(file);
+    }
   }
 
   Times times;
@@ -131,11 +174,14 @@ ExitStatus render(const RenderSettings& settings)
   times.read = reading.milliseconds();
 
   const Stopwatch rendering;
-  const auto picture = drawPicture(settings, meshes);
+  const std::vector<DrawnPicture> pictures = drawPictures(settings, meshes);
   times.render = rendering.milliseconds();
 
   const Stopwatch writing;
-  writePicture(*picture, settings.output);
+  for (const DrawnPicture& drawn : pictures)
+  {
+    writePicture(*drawn.picture, drawn.file);
+  }
   if (!settings.toneLegend.empty())
   {
     writeToneLegend(settings.scene, settings.toneLegend);

@@ -84,7 +84,15 @@ enum class Outline
 {
   None,
   Normal,
-  Hull
+  Hull,
+  Image
+};
+
+enum class Detector
+{
+  Plane,
+  Sobel,
+  Laplacian
 };
 
 enum class Window
@@ -229,9 +237,11 @@ struct MaterialSettings
   std::optional<double> rampExponent;             ///< >= 0; 1 if not given
   std::optional<std::array<double, 2>> rampRange; ///< of the clipping planes if not given
   Outline outline = Outline::None;
-  std::optional<Color> outlineColor;    ///< black if not given
-  std::optional<double> outlineWidth;   ///< pixels; the property's default if not given
-  std::optional<double> outlineOpacity; ///< 0 to 1; 1 if not given
+  std::optional<Color> outlineColor;       ///< black if not given
+  std::optional<double> outlineWidth;      ///< in pixels
+  std::optional<double> outlineOpacity;    ///< 0 to 1; 1 if not given
+  std::optional<Detector> outlineDetector; ///< of Outline::Image; plane if not given
+  std::optional<double> outlineTolerance, outlineCreaseDegrees; ///< likewise; the property's
   bool backfaceCulling = false;
 };
 
@@ -322,12 +332,21 @@ struct EffectSettings
   AntiAliasing antiAliasing = AntiAliasing::None;
 };
 
+/// Files of what a picture has besides colours; empty: not written.
+struct MapSettings
+{
+  std::string normals, depth, ids;
+
+  bool any() const { return !normals.empty() || !depth.empty() || !ids.empty(); }
+};
+
 struct RenderSettings
 {
   SceneSettings scene;
   EffectSettings effects;
   std::string output;
   std::string toneLegend; ///< a file; empty: none
+  MapSettings maps;
   bool transparentBackground = false;
   Window window = Window::Cpu;
   bool stats = false;

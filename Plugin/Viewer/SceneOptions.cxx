@@ -43,6 +43,26 @@ double parsePositive(Text option, Text text)
   return number;
 }
 
+double parseNotNegative(Text option, Text text)
+{
+  const double number = parseNumber(option, text);
+  if (number < 0)
+  {
+    throw UserError(option + "=" + text + " is negative");
+  }
+  return number;
+}
+
+double parseOutlineWidth(Text option, Text text)
+{
+  const double width = parseNumber(option, text);
+  if (width < 0 || width > 64)
+  {
+    throw UserError(option + "=" + text + " is not from 0 to 64 pixels");
+  }
+  return width;
+}
+
 double parseViewAngle(Text option, Text text)
 {
   const double degrees = parseNumber(option, text);
@@ -171,16 +191,6 @@ void addMaterial(OptionList& options, MaterialSettings& material)
     "--backface-culling", "leave out faces seen from behind", material.backfaceCulling);
 }
 
-double parseWidth(Text option, Text text)
-{
-  const double width = parsePositive(option, text);
-  if (width > 1000)
-  {
-    throw UserError(option + "=" + text + " is more than 1000 pixels");
-  }
-  return width;
-}
-
 double parseExponent(Text option, Text text)
 {
   const double exponent = parseNumber(option, text);
@@ -244,12 +254,21 @@ void addIllustration(OptionList& options, MaterialSettings& material)
   options.startGroup("Illustration");
   addTone(options, material);
   options.add("--outline", "name",
-    "none, normal (where the surface turns away), hull (a\nline around it, equally wide) (none)",
-    choose(material.outline, outlines(), { "image" }));
-  options.add("--outline-width", "pixels", "up to 1000 (hull 1.5, normal wider where flatter)",
-    into(material.outlineWidth, parseWidth));
+    "none, normal (where the surface turns away), hull (a\nline around it), image (borders, steps "
+    "and creases\nof the picture) (none)",
+    choose(material.outline, outlines()));
+  options.add("--outline-width", "pixels",
+    "up to 64 (hull 1.5, image 2, normal wider where the\nsurface is flatter)",
+    into(material.outlineWidth, parseOutlineWidth));
   options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));
   options.add("--outline-opacity", "a", "0 to 1 (1)", into(material.outlineOpacity, parseShare));
+  options.add("--outline-detector", "name",
+    "of image: plane, or the convolutions sobel, laplacian\n(plane)",
+    choose(material.outlineDetector, detectors()));
+  options.add("--outline-tolerance", "px", "of image: how deep a step is at least (3)",
+    into(material.outlineTolerance, parseNotNegative));
+  options.add("--outline-crease-angle", "degrees", "of image: 0 to 180; 180: no creases (40)",
+    into(material.outlineCreaseDegrees, parseFeatureAngle));
 }
 
 std::vector<LineKind> parseLineKinds(Text option, Text text)
@@ -292,16 +311,6 @@ std::array<double, 2> parseDash(Text option, Text text)
     throw UserError(option + "=" + text + ": dash and gap have to be above 0, and half a pixel");
   }
   return { lengths[0], lengths[1] };
-}
-
-double parseNotNegative(Text option, Text text)
-{
-  const double number = parseNumber(option, text);
-  if (number < 0)
-  {
-    throw UserError(option + "=" + text + " is below 0");
-  }
-  return number;
 }
 
 double parseOuterWidth(Text option, Text text)

@@ -31,7 +31,7 @@ const char* const kKeys = R"(Keys
      irradiance, oren-nayar, metallic
   t  tone: none, gooch, gooch-chapter, gooch-rtr4,
      gooch-orange-book, metal, toon
-  o  outline: none, normal, hull
+  o  outline: none, normal, hull, image
   m  samples per pixel: 1, 2, 4, 8, 16
   r  reset the camera
   h  print this text

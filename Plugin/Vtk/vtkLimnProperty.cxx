@@ -188,7 +188,7 @@ const char* vtkLimnProperty::GetToonRampByAsString()
 //------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetOutlineAsString()
 {
-  static const char* const names[] = { "None", "Normal", "Hull" };
+  static const char* const names[] = { "None", "Normal", "Hull", "Image" };
   return names[this->Outline];
 }
 
@@ -204,6 +204,13 @@ const char* vtkLimnProperty::GetHiddenLinesAsString()
 {
   static const char* const names[] = { "Off", "Dashed", "Thin" };
   return names[this->HiddenLines];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetOutlineDetectorAsString()
+{
+  static const char* const names[] = { "Plane", "Sobel", "Laplacian" };
+  return names[this->OutlineDetector];
 }
 
 //------------------------------------------------------------------------------
@@ -317,6 +324,9 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetStrokeDash(other->StrokeDash);
   this->SetStrokeGap(other->StrokeGap);
   this->SetHiddenLines(other->HiddenLines);
+  this->SetOutlineDetector(other->OutlineDetector);
+  this->SetOutlineDepthTolerance(other->OutlineDepthTolerance);
+  this->SetOutlineCreaseAngle(other->OutlineCreaseAngle);
   this->SetTextureRole(other->TextureRole);
   this->SetTextureMode(other->TextureMode);
   this->SetProceduralTexture(other->ProceduralTexture);
@@ -401,6 +411,9 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StrokeDash: " << this->StrokeDash << "\n";
   os << indent << "StrokeGap: " << this->StrokeGap << "\n";
   os << indent << "HiddenLines: " << this->GetHiddenLinesAsString() << "\n";
+  os << indent << "OutlineDetector: " << this->GetOutlineDetectorAsString() << "\n";
+  os << indent << "OutlineDepthTolerance: " << this->OutlineDepthTolerance << "\n";
+  os << indent << "OutlineCreaseAngle: " << this->OutlineCreaseAngle << "\n";
   os << indent << "TextureRole: " << this->GetTextureRoleAsString() << "\n";
   os << indent << "TextureMode: " << this->GetTextureModeAsString() << "\n";
   os << indent << "ProceduralTexture: " << this->GetProceduralTextureAsString() << "\n";

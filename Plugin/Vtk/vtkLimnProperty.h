@@ -390,7 +390,8 @@ public:
   {
     OUTLINE_NONE = 0,
     OUTLINE_NORMAL,
-    OUTLINE_HULL
+    OUTLINE_HULL,
+    OUTLINE_IMAGE
   };
 
   ///@{
@@ -401,13 +402,16 @@ public:
    * distance, tilt and shape of window, around it and along the contours before other parts of it,
    * mitred at corners: the faces that look away are drawn once more, their outer corners moved out
    * on the screen. For surfaces that bound solids; borders of open ones get no line. Points in the
-   * same place count as one. Picking takes what the line covers. Default: None.
+   * same place count as one. Picking takes what the line covers. Image: a line inside of
+   * the surface's borders and steps, and along its creases, found in the finished picture by
+   * OutlineDetector. Default: None.
    */
-  vtkSetClampMacro(Outline, int, OUTLINE_NONE, OUTLINE_HULL);
+  vtkSetClampMacro(Outline, int, OUTLINE_NONE, OUTLINE_IMAGE);
   vtkGetMacro(Outline, int);
   void SetOutlineToNone() { this->SetOutline(OUTLINE_NONE); }
   void SetOutlineToNormal() { this->SetOutline(OUTLINE_NORMAL); }
   void SetOutlineToHull() { this->SetOutline(OUTLINE_HULL); }
+  void SetOutlineToImage() { this->SetOutline(OUTLINE_IMAGE); }
   const char* GetOutlineAsString();
   ///@}
 
@@ -421,8 +425,8 @@ public:
 
   ///@{
   /**
-   * In pixels, at least 0. Default: 0, for the outline Normal a line by OutlineThreshold, for the
-   * others 1.5 pixels.
+   * In pixels, at least 0; for Image at most 64. Default: 0, which means a line by
+   * OutlineThreshold for Normal, 1.5 pixels for Hull and 2 for Image.
    */
   vtkSetMacro(OutlineWidth, double);
   vtkGetMacro(OutlineWidth, double);
@@ -442,6 +446,45 @@ public:
    */
   vtkSetClampMacro(OutlineOpacity, double, 0.0, 1.0);
   vtkGetMacro(OutlineOpacity, double);
+  ///@}
+
+  enum OutlineDetectors
+  {
+    OUTLINE_BY_PLANE = 0,
+    OUTLINE_BY_SOBEL,
+    OUTLINE_BY_LAPLACIAN
+  };
+
+  ///@{
+  /**
+   * How Image finds steps in the depth of one actor; borders to others are always found. Plane:
+   * what two pixels show are planes that predict each other, so that tilted surfaces have no false
+   * lines. Sobel and Laplacian are the classical convolutions, for comparison: Sobel blackens
+   * surfaces that are tilted by more than OutlineDepthTolerance. Default: Plane.
+   */
+  vtkSetClampMacro(OutlineDetector, int, OUTLINE_BY_PLANE, OUTLINE_BY_LAPLACIAN);
+  vtkGetMacro(OutlineDetector, int);
+  void SetOutlineDetectorToPlane() { this->SetOutlineDetector(OUTLINE_BY_PLANE); }
+  void SetOutlineDetectorToSobel() { this->SetOutlineDetector(OUTLINE_BY_SOBEL); }
+  void SetOutlineDetectorToLaplacian() { this->SetOutlineDetector(OUTLINE_BY_LAPLACIAN); }
+  const char* GetOutlineDetectorAsString();
+  ///@}
+
+  ///@{
+  /**
+   * How deep a step has to be for Image, in pixels' widths where it is, at least 0. Default: 3.
+   */
+  vtkSetMacro(OutlineDepthTolerance, double);
+  vtkGetMacro(OutlineDepthTolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Degrees between normals of pixels next to each other above which Image draws a crease, 0 to
+   * 180; with 180 none. Default: 40.
+   */
+  vtkSetClampMacro(OutlineCreaseAngle, double, 0.0, 180.0);
+  vtkGetMacro(OutlineCreaseAngle, double);
   ///@}
 
   ///@{
@@ -765,6 +808,9 @@ protected:
   double OutlineWidth = 0.0;
   double OutlineColor[3] = { 0.0, 0.0, 0.0 };
   double OutlineOpacity = 1.0;
+  int OutlineDetector = OUTLINE_BY_PLANE;
+  double OutlineDepthTolerance = 3.0;
+  double OutlineCreaseAngle = 40.0;
   bool CreaseLines = false;
   bool BorderLines = false;
   bool NonManifoldLines = false;

@@ -5,6 +5,7 @@
 #include "Private/WindowFrame.h"
 
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkLimnRenderWindowInteractor.h"
 #include "vtkLimnRenderer.h"
 #include "vtkObjectFactory.h"
@@ -112,6 +113,22 @@ void ReadDepth(vtkLimnRenderWindow::vtkFrame& frame, const Region& region, float
   Read(frame, frame.GetDepth(), region, 1, 1.0f, out,
     [](const float* depths, size_t count, float* row)
     { std::memcpy(row, depths, count * sizeof(float)); });
+}
+
+/// A component of the tuples of an array.
+struct Component
+{
+  int Number;
+  int Count;
+};
+
+template <class Planes, class Value, class Convert>
+void ReadComponent(vtkLimnRenderWindow::vtkFrame& frame, Planes& plane, const Region& region,
+  Component component, Value outside, Value* out, Convert convert)
+{
+  frame.ForEach(plane, region,
+    [&](const auto* pixel, size_t index)
+    { out[index * component.Count + component.Number] = pixel ? convert(*pixel) : outside; });
 }
 
 /// Writes colorAt(index) to the pixels of the region.
@@ -487,10 +504,76 @@ int vtkLimnRenderWindow::SetZbufferData(int x, int y, int x2, int y2, vtkFloatAr
 }
 
 //------------------------------------------------------------------------------
+void vtkLimnRenderWindow::SetMaps(bool maps)
+{
+  if (maps != this->GetMaps())
+  {
+    this->Pixels->SetMaps(maps);
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool vtkLimnRenderWindow::GetMaps()
+{
+  return this->Pixels->HasMaps();
+}
+
+//------------------------------------------------------------------------------
+int vtkLimnRenderWindow::GetNormalData(int x, int y, int x2, int y2, vtkFloatArray* data)
+{
+  const Region region = Region::FromCorners(x, y, x2, y2);
+  if (!this->GetMaps())
+  {
+    vtkErrorMacro("There are no normals without MapsOn() before the window is rendered.");
+    return VTK_ERROR;
+  }
+  if (!Fit(data, region, 3))
+  {
+    return VTK_ERROR;
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    ReadComponent(*this->Pixels, this->Pixels->GetNormal(axis), region, { axis, 3 }, 0.0f,
+      data->GetPointer(0), [](float value) { return value; });
+  }
+  return VTK_OK;
+}
+
+//------------------------------------------------------------------------------
+int vtkLimnRenderWindow::GetIdData(int x, int y, int x2, int y2, vtkIdTypeArray* data)
+{
+  const Region region = Region::FromCorners(x, y, x2, y2);
+  if (!this->GetMaps())
+  {
+    vtkErrorMacro("There are no ids without MapsOn() before the window is rendered.");
+    return VTK_ERROR;
+  }
+  if (!Fit(data, region, 2))
+  {
+    return VTK_ERROR;
+  }
+  const auto toId = [](std::uint32_t number)
+  { return number == limn::kNobody ? vtkIdType{ -1 } : static_cast<vtkIdType>(number); };
+  ReadComponent(*this->Pixels, this->Pixels->GetActor(), region, { 0, 2 }, vtkIdType{ -1 },
+    data->GetPointer(0), toId);
+  ReadComponent(*this->Pixels, this->Pixels->GetCell(), region, { 1, 2 }, vtkIdType{ -1 },
+    data->GetPointer(0), toId);
+  return VTK_OK;
+}
+
+//------------------------------------------------------------------------------
+vtkActor* vtkLimnRenderWindow::GetMappedActor(vtkIdType number)
+{
+  return this->Pixels->ActorOf(number);
+}
+
+//------------------------------------------------------------------------------
 void vtkLimnRenderWindow::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "SamplesPerPixel: " << this->GetSamplesPerPixel() << "\n";
+  os << indent << "Maps: " << (this->GetMaps() ? "On" : "Off") << "\n";
   os << indent << "Frame: " << this->Pixels->GetWidth() << " x " << this->Pixels->GetHeight()
      << "\n";
 }

@@ -28,6 +28,9 @@
 
 #include <memory> // for std::unique_ptr
 
+class vtkActor;
+class vtkIdTypeArray;
+
 class VTKLIMN_EXPORT vtkLimnRenderWindow : public vtkRenderWindow
 {
 public:
@@ -126,6 +129,36 @@ public:
   int GetZbufferData(int x, int y, int x2, int y2, vtkFloatArray* z) override;
   int SetZbufferData(int x, int y, int x2, int y2, float* z) override;
   int SetZbufferData(int x, int y, int x2, int y2, vtkFloatArray* z) override;
+  ///@}
+
+  ///@{
+  /**
+   * Whether the next frames keep, besides colour and depth, what GetNormalData() and GetIdData()
+   * read. Default: off.
+   */
+  void SetMaps(bool maps);
+  bool GetMaps();
+  vtkBooleanMacro(Maps, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Of the surfaces seen in these pixels, as GetZbufferData() takes them, three components a pixel:
+   * the unit normal that is lit, without bumps, in view coordinates (right, up, towards the eye),
+   * facing the eye as the surface's side does; (0, 0, 0) where there is none. Translucent surfaces
+   * leave what lies behind them. VTK_ERROR without Maps.
+   */
+  int GetNormalData(int x, int y, int x2, int y2, vtkFloatArray* data);
+  ///@}
+
+  ///@{
+  /**
+   * Likewise two components a pixel: the number of the actor, which GetMappedActor() takes, and the
+   * cell of its mapper's input; -1 where there is none. Actors are numbered from 0 in the order in
+   * which they were drawn since the window was cleared.
+   */
+  int GetIdData(int x, int y, int x2, int y2, vtkIdTypeArray* data);
+  vtkActor* GetMappedActor(vtkIdType number);
   ///@}
 
   /**

@@ -28,7 +28,7 @@ EdgeFinder::EdgeFinder(const OutlinePass& pass)
 {
   for (const Instance& instance : pass.scene.instances) {
     const ImageOutline& outline = instance.style.imageOutline;
-    settings_.push_back({hasImageOutline(instance), outline.detector,
+    settings_.push_back({hasImageOutline(instance), outline.detector, outline.depthTolerance,
                          1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees))});
   }
 }
@@ -146,9 +146,28 @@ float EdgeFinder::shareOf(Pixel pixel, Pixel other) const
   return isBefore(pixel, other) ? 0.0f : 1.0f;
 }
 
+/// Of most pixels, without the others' bookkeeping: certain that no edge is there.
+bool EdgeFinder::isInside(Pixel pixel, std::size_t index) const
+{
+  const std::uint32_t instance = layers_.instance[index];
+  const Settings& settings = settings_[instance];
+  const SurfaceLayer& here = layers_.surface[index];
+  if (settings.detector != OutlineDetector::kPlane || here.count < pass_.scene.samples ||
+      pixel.x == 0 || pixel.y == 0 || pixel.x + 1 == layers_.width || pixel.y + 1 == layers_.height)
+    return false;
+  const float tolerance = settings.depthTolerance * here.point.pixel + here.point.rounding;
+  const auto width = static_cast<std::size_t>(layers_.width);
+  for (const std::size_t beside : {index + 1, index - 1, index + width, index - width})
+    if (layers_.instance[beside] != instance ||
+        PlaneDistances(here, layers_.surface[beside]).areStep(tolerance))
+      return false;
+  return true;
+}
+
 void EdgeFinder::addEdge(Pixel pixel, EdgeRow& edges) const
 {
   const std::size_t index = layers_.indexOf(pixel.x, pixel.y);
+  if (isInside(pixel, index)) return;
   const auto share = [&](int dx, int dy) { return shareOf(pixel, {pixel.x + dx, pixel.y + dy}); };
   const float right = share(1, 0), left = share(-1, 0), above = share(0, 1), below = share(0, -1);
   const float own = static_cast<float>(layers_.surface[index].count) / samples_;
@@ -200,8 +219,8 @@ bool EdgeFinder::crosses(Pixel pixel, Pixel other, CreaseCrossing& crossing) con
                               : -(first.point.position + second.point.position);
   const PlaneDistances distances(first, second);
   // Along the gaze: how far the first plane is before the second at either pixel.
-  const float atFirst = distances.ofFirst / dot(second.normal, towardEye);
-  const float atSecond = -(distances.ofSecond / dot(first.normal, towardEye));
+  const float atFirst = distances.ofFirst / dot(second.plane, towardEye);
+  const float atSecond = -(distances.ofSecond / dot(first.plane, towardEye));
   const float way = atFirst / (atFirst - atSecond);
   const float t = way > 0.0f && way < 1.0f ? way : 0.5f;
   crossing = {{first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t},

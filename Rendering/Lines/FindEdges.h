@@ -51,6 +51,7 @@ class EdgeFinder {
   struct Settings {
     bool isOutlined = false;
     OutlineDetector detector = OutlineDetector::kNone;
+    float depthTolerance = 0;
     float creaseBound = 0;  ///< of 1 - n.n'
   };
   struct Pixel {
@@ -68,6 +69,7 @@ class EdgeFinder {
   float distanceBeside(Pixel pixel, int dx, int dy) const;
   bool isBefore(Pixel first, Pixel second) const;
   float tolerance(std::size_t first, std::size_t second) const;
+  bool isInside(Pixel pixel, std::size_t index) const;
   void addEdge(Pixel pixel, EdgeRow& edges) const;
   bool crosses(Pixel pixel, Pixel other, CreaseCrossing& crossing) const;
 

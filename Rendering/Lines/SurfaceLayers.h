@@ -16,6 +16,7 @@ namespace limn {
 struct SurfaceLayer {
   ViewPoint point;      ///< at the nearest sample
   Vec3f normal;         ///< FrameView::normal
+  Vec3f plane;          ///< that of the triangle's plane, which the former need not be
   float x, y;           ///< of the nearest sample, in pixels from the frame's corner
   Rgba8 color;          ///< the mean of the samples that show it
   std::uint8_t count;   ///< samples that show it
@@ -56,8 +57,8 @@ struct PlaneDistances {
   PlaneDistances(const SurfaceLayer& first, const SurfaceLayer& second)
   {
     const Vec3f way = second.point.position - first.point.position;
-    ofSecond = dot(first.normal, way);
-    ofFirst = -dot(second.normal, way);
+    ofSecond = dot(first.plane, way);
+    ofFirst = -dot(second.plane, way);
   }
   /// OutlineDetector::kPlane. Each lies behind the other's plane where a surface is rounded.
   bool areStep(float tolerance) const

@@ -41,6 +41,7 @@ class LayerWriter {
           if (tile_.depth[s][pixel] < tile_.depth[nearest][pixel]) nearest = s;
         SurfaceLayer layer = layerAt(pixel, nearest);
         layer.normal = normalOf(colors_.pixelNormal, pixel);
+        layer.plane = normalOf(colors_.pixelPlane, pixel);
         layer.color = colors_.pixel[pixel];
         layer.count = layer.shared = samples;
         if (colors_.hasRadiance)
@@ -72,6 +73,7 @@ class LayerWriter {
       ++own;
     SurfaceLayer layer = layerAt(pixel, nearest.sample);
     layer.normal = normalOf(colors_.fragmentNormal, own);
+    layer.plane = normalOf(colors_.fragmentPlane, own);
     ColorSum sum(scene_.resolve);
     Vec3f radiance = {0, 0, 0};
     std::uint32_t count = 0, covered = 0;
@@ -101,7 +103,7 @@ class LayerWriter {
     SurfaceLayer other =
         layerAt(fragments_.pixel[f],
                 static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(fragments_.coverage[f])));
-    other.normal = normalOf(colors_.fragmentNormal, f);
+    other.plane = normalOf(colors_.fragmentPlane, f);
     return !PlaneDistances(layer, other)
                 .areStep(stepTolerance(placed->instance->style, layer.point));
   }

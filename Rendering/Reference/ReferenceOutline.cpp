@@ -167,8 +167,8 @@ class Outlines {
     const Layer &a = layer(p), &b = layer(q);
     const bool isSame = a.instance == b.instance;
     const Vec3f way = b.point.position - a.point.position;
-    const float beforeA = dot(a.normal, way);          // how far b is before a's plane
-    const float beforeB = dot(b.normal, way * -1.0f);  // and a before b's
+    const float beforeA = dot(a.plane, way);          // how far b is before a's plane
+    const float beforeB = dot(b.plane, way * -1.0f);  // and a before b's
     const bool byDepth = isSame && styleAt(p).imageOutline.detector != OutlineDetector::kPlane;
     const float off = std::max(std::fabs(beforeA), std::fabs(beforeB));
     const bool areOneBeforeOther = (beforeA > 0) != (beforeB > 0);
@@ -247,8 +247,8 @@ class Outlines {
     const Vec3f eye =
         scene_.camera.parallel ? Vec3f{0, 0, 1} : (a.point.position + b.point.position) * -1.0f;
     const Vec3f way = b.point.position - a.point.position;
-    const float gapAtP = dot(b.normal, way * -1.0f) / dot(b.normal, eye);
-    const float gapAtQ = -(dot(a.normal, way) / dot(a.normal, eye));
+    const float gapAtP = dot(b.plane, way * -1.0f) / dot(b.plane, eye);
+    const float gapAtQ = -(dot(a.plane, way) / dot(a.plane, eye));
     float t = gapAtP / (gapAtP - gapAtQ);
     if (!(t > 0 && t < 1)) t = 0.5f;
     return a.place + (b.place - a.place) * t;
@@ -423,7 +423,7 @@ class Outlines {
 bool isStep(const Layer& p, const Layer& q, float tolerance)
 {
   const Vec3f way = q.point.position - p.point.position;
-  const float beforeP = dot(p.normal, way), beforeQ = dot(q.normal, way * -1.0f);
+  const float beforeP = dot(p.plane, way), beforeQ = dot(q.plane, way * -1.0f);
   return std::max(std::fabs(beforeP), std::fabs(beforeQ)) > tolerance &&
          std::max(beforeP, beforeQ) > 0;
 }

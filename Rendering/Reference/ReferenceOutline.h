@@ -16,7 +16,8 @@ struct Layer {
   std::uint32_t instance = kNobody;  ///< place in Scene::instances; kNobody: nothing is shown
   Vec2f place;                       ///< of the nearest sample; pixels
   ViewPoint point;
-  Vec3f normal;
+  Vec3f normal;       ///< FrameView::normal
+  Vec3f plane;        ///< that of the triangle's plane
   int count, shared;  ///< samples that show it, and samples that the pixel's colour is the mean of
   Rgba8 color;        ///< mean of those that show it
   Vec3f radiance;     ///< likewise

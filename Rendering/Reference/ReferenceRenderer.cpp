@@ -578,6 +578,9 @@ class Picture {
     layer.place = {static_cast<float>(p.x) / kSubpixels, static_cast<float>(p.y) / kSubpixels};
     layer.point = toView.at(layer.place.x, layer.place.y, here.depth);
     layer.normal = normalOf(x, y, here.owner);
+    const PlacedInstance& placed = placed_[here.owner.instance];
+    layer.plane = planeNormalAt(scene_, placed.instance(), placed.transform(), placed.origin(),
+                                shadedPoint(x, y, here.owner));
     return layer;
   }
 

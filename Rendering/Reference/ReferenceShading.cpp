@@ -509,6 +509,7 @@ class Face {
     }
   }
 
+  Vec3f planeNormal() const { return facing(triangleNormal(corner(0), corner(1), corner(2))); }
   /// The mixed normal of the pixel, from the style's source.
   Vec3f pixelNormal() const
   {
@@ -518,7 +519,7 @@ class Face {
       case NormalSource::kCell:
         return facing(instance_.attributes.cellNormals[cell_]);
       default:
-        return facing(triangleNormal(corner(0), corner(1), corner(2)));
+        return planeNormal();
     }
   }
   /// Normal of one corner, for Gouraud's vertex colours.
@@ -814,6 +815,12 @@ float alphaAt(const Scene& scene, const Instance& instance, const InstanceTransf
   if (instance.style.readsAlpha)
     alpha = alpha * Face(scene, instance, transform, meshOrigin, point).alpha();
   return alpha > 0.0f ? (alpha < 1.0f ? alpha : 1.0f) : 0.0f;
+}
+
+Vec3f planeNormalAt(const Scene& scene, const Instance& instance,
+                    const InstanceTransform& transform, Vec3d meshOrigin, const SurfacePoint& point)
+{
+  return Face(scene, instance, transform, meshOrigin, point).planeNormal();
 }
 
 Vec3f normalAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,

@@ -23,6 +23,11 @@ struct SurfacePoint {
 float alphaAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
               Vec3d meshOrigin, const SurfacePoint& point);
 
+/// The normal of a triangle's plane in view space, turned to the eye with its face.
+Vec3f planeNormalAt(const Scene& scene, const Instance& instance,
+                    const InstanceTransform& transform, Vec3d meshOrigin,
+                    const SurfacePoint& point);
+
 /// The normal of a visible point as FrameView::normal has it.
 Vec3f normalAt(const Scene& scene, const Instance& instance, const InstanceTransform& transform,
                Vec3d meshOrigin, const SurfacePoint& point);

@@ -107,6 +107,8 @@ struct TileColors {
   bool hasRadiance = false;                        ///< asks the shader for them
   VectorArrays pixelNormal, fragmentNormal;        ///< FrameView::normal; only with hasNormals
   bool hasNormals = false;                         ///< asks the shader for them
+  VectorArrays pixelPlane, fragmentPlane;          ///< the triangles' own; only with hasPlanes
+  bool hasPlanes = false;                          ///< asks the shader for them
 };
 
 /// What a light equation needs besides the fragments.
@@ -144,8 +146,8 @@ class FragmentShader {
   void placeClippedFragments(const TileClusters& clusters);
   /// Of the batch, whose fragments have these numbers in the tile.
   void keepRadiance(Span<const std::uint32_t> numbers, RadianceArrays& fragments);
-  void keepNormals(const ShadingContext& context, Span<const std::uint32_t> numbers,
-                   VectorArrays& fragments);
+  /// Likewise what findNormals() or findPlanes() have left.
+  void keepVectors(Span<const std::uint32_t> numbers, VectorArrays& fragments) const;
 
   FragmentBatch batch_;
   std::uint32_t clippedOwner_ = kNobody;  ///< of the tile being shaded
@@ -182,9 +184,11 @@ void shadeRuns(const ShadingContext& context, const TileRectangle& pixels, int s
 void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
                     const FragmentList& fragments, Span<const std::uint32_t> numbers,
                     const FragmentBatch& batch, TileColors& colors);
-/// Puts the normals of a batch of fragments in the place of their colours.
+/// Puts the normals of a batch of fragments, or of their triangles' planes, in the place of their
+/// colours.
 void findNormals(const ShadingContext& context, FragmentBatch& batch);
-/// As shadeTriangles(), the runs' normals.
+void findPlanes(const ShadingContext& context, FragmentBatch& batch);
+/// As shadeTriangles(), the runs' normals and, if TileColors::hasPlanes, those of their planes.
 void findNormals(const ShadingContext& context, const TileRectangle& pixels,
                  const FragmentList& fragments, Span<const std::uint32_t> numbers,
                  const FragmentBatch& batch, TileColors& colors);

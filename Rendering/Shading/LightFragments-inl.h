@@ -149,6 +149,8 @@ class FragmentLanes {
     return add(add(corner(0), corner(1)), corner(2));
   }
   Lanes3 facePosition() const { return value(batch_.facePosition); }
+  /// Of the triangle's plane, whatever the style.
+  HWY_INLINE Lanes3 triangleNormal() const { return facing(acrossEdges()); }
   Lanes3 faceNormal() const { return facing(value(batch_.faceNormal)); }
 
   Lanes3 pixelColor() const
@@ -819,6 +821,15 @@ void findNormalsKernel(const ShadingContext& context, FragmentBatch& batch)
   }
 }
 
+void findPlanesKernel(const ShadingContext& context, FragmentBatch& batch)
+{
+  const auto count = static_cast<std::size_t>(batch.count);
+  for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
+    const FragmentLanes<BatchLanes> lanes(context, batch, BatchLanes(i));
+    store(lanes.triangleNormal(), batch.color, i);
+  }
+}
+
 void findRunNormalsKernel(const ShadingContext& context, const TileRectangle& pixels,
                           const FragmentList& list, Span<const std::uint32_t> numbers,
                           const FragmentBatch& batch, TileColors& colors)
@@ -837,6 +848,11 @@ void findRunNormalsKernel(const ShadingContext& context, const TileRectangle& pi
         fragments.storeRadiance(normalAt(*context.placed->instance, lanes, fragments.weightsAt(i)),
                                 i);
       fragments.giveNormals(list, first, run, colors.pixelNormal);
+      if (!colors.hasPlanes) continue;
+      const Lanes3 plane = lanes.triangleNormal();
+      for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(D()))
+        fragments.storeRadiance(plane, i);
+      fragments.giveNormals(list, first, run, colors.pixelPlane);
     }
   }
 }

@@ -27,6 +27,7 @@ HWY_EXPORT(quantizeFragmentsKernel);
 HWY_EXPORT(boundRadianceKernel);
 HWY_EXPORT(shadeTrianglesKernel);
 HWY_EXPORT(findNormalsKernel);
+HWY_EXPORT(findPlanesKernel);
 HWY_EXPORT(findRunNormalsKernel);
 HWY_EXPORT(describeSurfacesKernel);
 HWY_EXPORT(runSurfaceShaderKernel);
@@ -55,6 +56,11 @@ void shadeTriangles(const ShadingContext& context, const TileRectangle& pixels,
 void findNormals(const ShadingContext& context, FragmentBatch& batch)
 {
   HWY_DYNAMIC_DISPATCH(findNormalsKernel)(context, batch);
+}
+
+void findPlanes(const ShadingContext& context, FragmentBatch& batch)
+{
+  HWY_DYNAMIC_DISPATCH(findPlanesKernel)(context, batch);
 }
 
 void findNormals(const ShadingContext& context, const TileRectangle& pixels,

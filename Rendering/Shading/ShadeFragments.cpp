@@ -265,10 +265,8 @@ void FragmentShader::keepRadiance(Span<const std::uint32_t> numbers, RadianceArr
   }
 }
 
-void FragmentShader::keepNormals(const ShadingContext& context, Span<const std::uint32_t> numbers,
-                                 VectorArrays& fragments)
+void FragmentShader::keepVectors(Span<const std::uint32_t> numbers, VectorArrays& fragments) const
 {
-  findNormals(context, batch_);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     fragments.x[numbers[i]] = batch_.color.x[i];
     fragments.y[numbers[i]] = batch_.color.y[i];
@@ -327,6 +325,7 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   clippedOwner_ = kNobody;
   if (colors.hasRadiance) colors.pixelRadiance.resize(kTilePixels);
   if (colors.hasNormals) colors.pixelNormal.resize(kTilePixels);
+  if (colors.hasPlanes) colors.pixelPlane.resize(kTilePixels);
   const Span<const std::uint32_t> triangles(fragments.triangleOwner.data(),
                                             fragments.triangleCount);
   forEachBatch(clusters, triangles, [&](const PlacedInstance& placed, auto numbers) {
@@ -346,6 +345,7 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   colors.fragment.resize(fragments.count);
   if (colors.hasRadiance) colors.fragmentRadiance.resize(fragments.count);
   if (colors.hasNormals) colors.fragmentNormal.resize(fragments.count);
+  if (colors.hasPlanes) colors.fragmentPlane.resize(fragments.count);
   const Places places = {{fragments.owner.data(), fragments.count},
                          {fragments.pixel.data(), fragments.count},
                          fragments.coverage.data()};
@@ -355,7 +355,14 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
     for (std::size_t i = 0; i < numbers.size(); ++i)
       colors.fragment[numbers[i]] = shaded[i];
     if (colors.hasRadiance) keepRadiance(numbers, colors.fragmentRadiance);
-    if (colors.hasNormals) keepNormals({clusters.scene, &placed}, numbers, colors.fragmentNormal);
+    if (colors.hasNormals) {
+      findNormals({clusters.scene, &placed}, batch_);
+      keepVectors(numbers, colors.fragmentNormal);
+    }
+    if (colors.hasPlanes) {
+      findPlanes({clusters.scene, &placed}, batch_);
+      keepVectors(numbers, colors.fragmentPlane);
+    }
   });
 }
 

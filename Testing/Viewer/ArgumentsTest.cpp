@@ -401,7 +401,8 @@ TEST(Arguments, TonesOverDataThatWouldNotShowAreErrors)
       "--tone-over-data=safe is unknown; choose one of: classic, undertone, legend-safe" },
     { { "--undertone=1.5" }, "--undertone=1.5 is not from 0 to 1" },
     { { "--legend-safe-range=-1" }, "--legend-safe-range=-1 is not from 0 to 100" },
-    { { "--legend-safe-range=nan" }, "--legend-safe-range=nan is not a finite number, as in --legend-safe-range=1.5" },
+    { { "--legend-safe-range=nan" },
+      "--legend-safe-range=nan is not a finite number, as in --legend-safe-range=1.5" },
     { { "--tone=gooch", "--tone-legend=a.png" },
       "--tone-legend needs a tone and --coloring-array=NAME" },
     { { "--coloring-array=a", "--tone-legend=a.png" },
@@ -444,10 +445,8 @@ TEST(Arguments, ValuesOfLaterVersionsAreNamedAsSuch)
   EXPECT_EQ(renderErrorOf({ "--tone=sepia" }),
     "--tone=sepia is unknown; choose one of: none, gooch, gooch-chapter, gooch-rtr4, "
     "gooch-orange-book, metal, toon");
-  EXPECT_EQ(renderErrorOf({ "--outline=image" }),
-    "--outline=image is not served by this version; choose one of: none, normal, hull");
-  EXPECT_EQ(renderErrorOf({ "--outline=image" }),
-    "--outline=image is not served by this version; choose one of: none, normal, hull");
+  EXPECT_EQ(renderErrorOf({ "--outline=fuzzy" }),
+    "--outline=fuzzy is unknown; choose one of: none, normal, hull, image");
 }
 
 TEST(Arguments, MisspelledValuesNameTheAllowedOnes)
@@ -504,6 +503,21 @@ TEST(Arguments, FactorsOfLightMayExceed1AndColorsOfThePictureMayNot)
   }
 }
 
+TEST(Arguments, ValuesOfImageLinesHaveTheirRanges)
+{
+  const std::string image = "--outline=image";
+  EXPECT_EQ(renderErrorOf({ image, "--outline-width=65" }),
+    "--outline-width=65 is not from 0 to 64 pixels");
+  EXPECT_EQ(
+    renderErrorOf({ image, "--outline-opacity=1.5" }), "--outline-opacity=1.5 is not from 0 to 1");
+  EXPECT_EQ(
+    renderErrorOf({ image, "--outline-tolerance=-1" }), "--outline-tolerance=-1 is negative");
+  EXPECT_EQ(renderErrorOf({ image, "--outline-crease-angle=181" }),
+    "--outline-crease-angle=181 is not between 0 and 180 degrees");
+  EXPECT_EQ(renderErrorOf({ image, "--outline-detector=canny" }),
+    "--outline-detector=canny is unknown; choose one of: plane, sobel, laplacian");
+}
+
 TEST(Arguments, ResolutionMustBePositiveAndBounded)
 {
   for (const std::string text : { "0,10", "10,-1", "10", "10,20,30", "16385,10", "1e3,10", "x,y" })
@@ -557,11 +571,25 @@ TEST(Arguments, OptionsThatNeedOrExcludeEachOther)
   EXPECT_NE(renderErrorOf({ "--cool=0,0,1" }).find("--cool needs a tone"), std::string::npos);
   EXPECT_NE(renderErrorOf({ "--warm=1,1,0", "--tone=none" }).find("--warm needs a tone"),
     std::string::npos);
-  EXPECT_EQ(renderErrorOf({ "--outline-color=1,0,0" }),
-    "--outline-color needs --outline=normal or --outline=hull");
-  EXPECT_EQ(renderErrorOf({ "--outline=normal", "--outline-width=2" }),
-    "--outline-width needs --outline=hull");
-  EXPECT_EQ(renderErrorOf({ "--outline-opacity=0.5" }), "--outline-opacity needs --outline=hull");
+  for (const std::string option :
+    { "--outline-color=1,0,0", "--outline-width=3", "--outline-opacity=0.5" })
+  {
+    EXPECT_EQ(renderErrorOf({ option }),
+      option.substr(0, option.find('=')) + " needs --outline=normal, hull or image");
+  }
+  for (const std::string option :
+    { "--outline-detector=sobel", "--outline-tolerance=2", "--outline-crease-angle=30" })
+  {
+    EXPECT_EQ(renderErrorOf({ option, "--outline=normal" }),
+      option.substr(0, option.find('=')) + " needs --outline=image");
+    EXPECT_EQ(renderErrorOf({ option, "--outline=image" }), "");
+  }
+  EXPECT_EQ(renderErrorOf({ "--output-depth=a.png", "--window=gl" }),
+    "an OpenGL window keeps no normals, depth and ids to write; leave out --window=gl");
+  EXPECT_EQ(renderErrorOf({ "--output-ids=x.png", "--output-normals=x.png" }),
+    "--output-normals and --output-ids name the same file x.png; choose two");
+  EXPECT_EQ(
+    renderErrorOf({ "--output-ids=a.jpg" }), "--output-ids=a.jpg is not a PNG file; name it a.png");
   EXPECT_EQ(errorOf({ "view", "a.obj", "--cool=0,0,1", "--outline-color=1,0,0" }), "");
   EXPECT_NE(renderErrorOf({ "--coloring-range=0,1" }).find("--coloring-array"), std::string::npos);
   EXPECT_NE(renderErrorOf({ "--camera-parallel-scale=1" }).find("--camera-orthographic"),
@@ -618,11 +646,10 @@ TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
       "--toon-ramp-range needs --toon-ramp-by=depth" },
     { { "--toon-ramp=a.png", "--toon-ramp-range=0,2" },
       "--toon-ramp-range=0,2 is not a range above 0" },
-    { { "--outline-width=2" }, "--outline-width needs --outline=normal" },
-    { { "--outline-opacity=0.5" }, "--outline-opacity needs --outline=normal" },
-    { { "--outline=normal", "--outline-width=0" }, "--outline-width=0 is not greater than 0" },
-    { { "--outline=normal", "--outline-width=1001" },
-      "--outline-width=1001 is more than 1000 pixels" },
+    { { "--outline-width=2" }, "--outline-width needs --outline=normal, hull or image" },
+    { { "--outline-opacity=0.5" }, "--outline-opacity needs --outline=normal, hull or image" },
+    { { "--outline=normal", "--outline-width=-1" },
+      "--outline-width=-1 is not from 0 to 64 pixels" },
     { { "--outline=normal", "--outline-opacity=2" }, "--outline-opacity=2 is not from 0 to 1" },
   };
   for (const auto& one : cases)
@@ -664,8 +691,10 @@ TEST(Arguments, HelpListsEveryServedOption)
       "--cool", "--warm", "--ambient", "--diffuse", "--specular", "--specular-power", "--light",
       "--ambient-light", "--outline", "--outline-color", "--outline-width", "--outline-opacity",
       "--toon-steps", "--tone-light", "--toon-ramp", "--toon-ramp-by", "--toon-ramp-exponent",
-      "--toon-ramp-range", "--matcap", "--coloring-array", "--colormap", "--coloring-range",
-      "--samples", "--backface-culling", "--threads", "--window", "--stats" })
+      "--toon-ramp-range", "--matcap", "--outline-detector", "--outline-tolerance",
+      "--outline-crease-angle", "--output-normals", "--output-depth", "--output-ids",
+      "--coloring-array", "--colormap", "--coloring-range", "--samples", "--backface-culling",
+      "--threads", "--window", "--stats" })
   {
     EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
   }

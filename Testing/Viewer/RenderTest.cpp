@@ -46,6 +46,23 @@ TEST_F(Render, WritesAPngOfTheResolutionAndNothingElse)
   EXPECT_EQ(out_, "");
 }
 
+TEST_F(Render, WritesMapsOfNormalsDepthAndIds)
+{
+  const std::string normals = folder_.file("n.png"), depth = folder_.file("d.png"),
+                    ids = folder_.file("i.png");
+  const std::string plain = draw("teapot.obj");
+  EXPECT_EQ(draw("teapot.obj",
+              { "--output-normals=" + normals, "--output-depth=" + depth, "--output-ids=" + ids }),
+    plain)
+    << "the picture is the same";
+  EXPECT_EQ(folder_.names(), (Words{ "d.png", "i.png", "n.png", "out.png" }));
+  EXPECT_EQ(pngHeader(normals).channels, 3);
+  EXPECT_EQ(pngHeader(normals).width, 200);
+  // Sixteen bits, of one and of three channels.
+  EXPECT_EQ(bytesOf(depth).substr(24, 2), (std::string{ 16, 0 }));
+  EXPECT_EQ(bytesOf(ids).substr(24, 2), (std::string{ 16, 2 }));
+}
+
 TEST_F(Render, WithoutBackgroundThePictureHasAlpha)
 {
   draw("teapot.obj", { "--no-background" });
@@ -135,6 +152,14 @@ TEST_F(Render, EveryLookIsAPictureOfItsOwn)
     { "--outline=hull", "--outline-width=4" },
     { "--outline=hull", "--outline-opacity=0.5" },
     { "--outline=normal", "--outline-color=1,0,0" },
+    { "--outline=image" },
+    { "--outline=image", "--outline-color=1,0,0" },
+    { "--outline=image", "--outline-width=4" },
+    { "--outline=image", "--outline-opacity=0.5" },
+    { "--outline=image", "--outline-detector=sobel" },
+    { "--outline=image", "--outline-detector=laplacian" },
+    { "--outline=image", "--outline-tolerance=50" },
+    { "--outline=image", "--outline-crease-angle=5" },
     { "--color=1,0.2,0.1" },
     { "--diffuse=0.2,0.9,0.1" },
     { "--specular=0,0,1" },

@@ -226,6 +226,7 @@ TEST_F(View, KeysSwitchTheLook)
   expectChange(XK_t, "tone none");
   expectChange(XK_o, "outline normal");
   expectChange(XK_o, "outline hull");
+  expectChange(XK_o, "outline image");
   expectChange(XK_o, "outline none");
 }
 

@@ -3,10 +3,12 @@
 //
 // Reading and writing the window's pixels and depths.
 #include "Check.h"
+#include "Messages.h"
 #include "Picture.h"
 #include "Stage.h"
 
 #include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <cmath>
@@ -140,6 +142,66 @@ void checkWriting()
   stage.Window->GetZbufferData(3, 3, 3, 3, &back);
   CHECK_EQUAL(back, 0.25f);
 }
+
+void checkMaps()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(twoSquares());
+  stage.Window->MapsOn();
+  CHECK(stage.Window->GetMaps());
+  vtkNew<vtkLimnPolyDataMapper> mapper;
+  mapper->SetInputData(twoSquares());
+  vtkNew<vtkLimnActor> other;
+  other->SetMapper(mapper);
+  other->SetPosition(20, 30, 0.5);
+  stage.Renderer->AddActor(other);
+  stage.Window->Render();
+
+  vtkNew<vtkIdTypeArray> ids;
+  CHECK_EQUAL(stage.Window->GetIdData(-1, 0, 99, 79, ids), VTK_OK);
+  const auto idAt = [&](int x, int y, int component)
+  { return ids->GetTypedComponent(y * 101 + x + 1, component); };
+  CHECK_EQUAL(idAt(-1, 0, 0), -1);
+  CHECK_EQUAL(idAt(5, 5, 0), -1);
+  CHECK_EQUAL(idAt(5, 5, 1), -1);
+  CHECK_EQUAL(idAt(20, 20, 0), 0);
+  CHECK_EQUAL(idAt(20, 20, 1), 0);
+  CHECK_EQUAL(idAt(50, 20, 1), 1);
+  CHECK_EQUAL(idAt(40, 50, 0), 1);
+  CHECK_EQUAL(idAt(70, 50, 1), 1);
+  CHECK(stage.Window->GetMappedActor(0) == stage.Actor);
+  CHECK(stage.Window->GetMappedActor(1) == other);
+  CHECK(stage.Window->GetMappedActor(2) == nullptr);
+  CHECK(stage.Window->GetMappedActor(-1) == nullptr);
+
+  vtkNew<vtkFloatArray> normals;
+  CHECK_EQUAL(stage.Window->GetNormalData(20, 20, 20, 20, normals), VTK_OK);
+  CHECK_EQUAL(normals->GetNumberOfComponents(), 3);
+  CHECK_EQUAL(normals->GetValue(2), 1.0f);
+  CHECK_EQUAL(stage.Window->GetNormalData(5, 5, 5, 5, normals), VTK_OK);
+  CHECK_EQUAL(normals->GetValue(2), 0.0f);
+
+  // What was there is cleared with the picture.
+  stage.Renderer->RemoveActor(other);
+  stage.Window->Render();
+  stage.Window->GetIdData(40, 50, 40, 50, ids);
+  CHECK_EQUAL(ids->GetValue(0), -1);
+  CHECK(stage.Window->GetMappedActor(1) == nullptr);
+}
+
+void checkNoMaps()
+{
+  Stage stage;
+  stage.Mapper->SetInputData(twoSquares());
+  stage.Window->Render();
+  const Messages messages;
+  vtkNew<vtkIdTypeArray> ids;
+  CHECK_EQUAL(stage.Window->GetIdData(0, 0, 9, 9, ids), VTK_ERROR);
+  vtkNew<vtkFloatArray> normals;
+  CHECK_EQUAL(stage.Window->GetNormalData(0, 0, 9, 9, normals), VTK_ERROR);
+  CHECK_EQUAL(messages.Count("without MapsOn()"), 2);
+}
 }
 
 int TestLimnReadBack(int, char*[])
@@ -148,5 +210,7 @@ int TestLimnReadBack(int, char*[])
   checkRegions();
   checkArrays();
   checkWriting();
+  checkMaps();
+  checkNoMaps();
   return result();
 }

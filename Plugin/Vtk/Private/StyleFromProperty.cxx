@@ -236,10 +236,36 @@ void setTone(vtkLimnProperty* property, Style& style)
 
 float outlineWidthOf(vtkLimnProperty* property)
 {
-  constexpr float kWidth = 1.5f;
+  constexpr float kHullWidth = 1.5f;
+  constexpr float kImageWidth = 2;
   const auto width = static_cast<float>(property->GetOutlineWidth());
-  const bool isByThreshold = property->GetOutline() == vtkLimnProperty::OUTLINE_NORMAL;
-  return width == 0 && !isByThreshold ? kWidth : width;
+  switch (width == 0 ? property->GetOutline() : vtkLimnProperty::OUTLINE_NONE)
+  {
+    case vtkLimnProperty::OUTLINE_HULL:
+      return kHullWidth;
+    case vtkLimnProperty::OUTLINE_IMAGE:
+      return kImageWidth;
+    default:
+      return width;
+  }
+}
+
+void setImageOutline(vtkLimnProperty* property, Style& style)
+{
+  ImageOutline& outline = style.imageOutline;
+  switch (property->GetOutlineDetector())
+  {
+    case vtkLimnProperty::OUTLINE_BY_SOBEL:
+      outline.detector = OutlineDetector::kSobel;
+      break;
+    case vtkLimnProperty::OUTLINE_BY_LAPLACIAN:
+      outline.detector = OutlineDetector::kLaplacian;
+      break;
+    default:
+      outline.detector = OutlineDetector::kPlane;
+  }
+  outline.depthTolerance = static_cast<float>(property->GetOutlineDepthTolerance());
+  outline.creaseDegrees = static_cast<float>(property->GetOutlineCreaseAngle());
 }
 
 void setIllustration(vtkLimnProperty* property, Style& style)
@@ -257,6 +283,10 @@ void setIllustration(vtkLimnProperty* property, Style& style)
     style.evenOutline = style.outlineWidth > 0;
     style.outlineThreshold =
       style.evenOutline ? 0.0f : static_cast<float>(property->GetOutlineThreshold());
+  }
+  if (property->GetOutline() == vtkLimnProperty::OUTLINE_IMAGE)
+  {
+    setImageOutline(property, style);
   }
   if (const vtkLimnSurfaceShader* const shader = property->GetSurfaceShader())
   {
@@ -443,6 +473,7 @@ std::string unusableValueOf(vtkProperty* property)
   const double legendSafeRange = limn ? limn->GetLegendSafeRange() : 0;
   const double outlineWidth = limn ? limn->GetOutlineWidth() : 1;
   const double outlineOpacity = limn ? limn->GetOutlineOpacity() : 1;
+  const double outlineTolerance = limn ? limn->GetOutlineDepthTolerance() : 1;
   const Values all[] = {
     { "AmbientColor", { property->GetAmbientColor(), 3 } },
     { "DiffuseColor", { property->GetDiffuseColor(), 3 } },
@@ -463,6 +494,7 @@ std::string unusableValueOf(vtkProperty* property)
     { "OutlineColor", { limn ? limn->GetOutlineColor() : none, 3 } },
     { "OutlineWidth", { &outlineWidth, 1 } },
     { "OutlineOpacity", { &outlineOpacity, 1 } },
+    { "OutlineDepthTolerance", { &outlineTolerance, 1 } },
     { "RefractiveIndex", { limn ? limn->GetRefractiveIndex() : none, 3 }, 1 },
   };
   for (const Values& one : all)

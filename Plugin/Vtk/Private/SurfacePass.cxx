@@ -313,6 +313,13 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   {
     drawUnlit(drawables.instances);
   }
+  if (vtkLimnRenderWindow* const target = this->window(); target && target->GetMaps())
+  {
+    for (std::size_t i = 0; i < drawables.actors.size(); ++i)
+    {
+      drawables.instances[i].id = target->GetFrame().NumberOf(drawables.actors[i]);
+    }
+  }
   const std::vector<Light> lights = lightsOf(renderer_);
   Scene scene;
   scene.camera = view.camera;

@@ -33,6 +33,69 @@ void vtkLimnRenderWindow::vtkFrame::Resize(int width, int height)
   // A window that became smaller should not hold on to the memory of the large one.
   this->Color.shrink_to_fit();
   this->Depth.shrink_to_fit();
+  this->ResizeMaps();
+}
+
+void vtkLimnRenderWindow::vtkFrame::SetMaps(bool maps)
+{
+  if (maps != this->Maps)
+  {
+    this->Maps = maps;
+    this->ResizeMaps();
+  }
+}
+
+void vtkLimnRenderWindow::vtkFrame::ResizeMaps()
+{
+  const size_t pixels = this->Maps ? this->Color.size() : 0;
+  for (limn::Array<float>& plane : this->Normal)
+  {
+    plane.assign(pixels, 0.0f);
+    plane.shrink_to_fit();
+  }
+  for (limn::Array<std::uint32_t>* plane : { &this->Actor, &this->Cell })
+  {
+    plane->assign(pixels, limn::kNobody);
+    plane->shrink_to_fit();
+  }
+  this->Actors.clear();
+}
+
+limn::Array<float>& vtkLimnRenderWindow::vtkFrame::GetNormal(int axis)
+{
+  this->ClearNow();
+  return this->Normal[axis];
+}
+
+limn::Array<std::uint32_t>& vtkLimnRenderWindow::vtkFrame::GetActor()
+{
+  this->ClearNow();
+  return this->Actor;
+}
+
+limn::Array<std::uint32_t>& vtkLimnRenderWindow::vtkFrame::GetCell()
+{
+  this->ClearNow();
+  return this->Cell;
+}
+
+std::uint32_t vtkLimnRenderWindow::vtkFrame::NumberOf(vtkActor* actor)
+{
+  const auto known = std::find_if(this->Actors.begin(), this->Actors.end(),
+    [actor](const vtkWeakPointer<vtkActor>& other) { return other.GetPointer() == actor; });
+  const auto number = static_cast<std::uint32_t>(known - this->Actors.begin());
+  if (known == this->Actors.end())
+  {
+    this->Actors.emplace_back(actor);
+  }
+  return number;
+}
+
+vtkActor* vtkLimnRenderWindow::vtkFrame::ActorOf(vtkIdType number) const
+{
+  return number >= 0 && number < static_cast<vtkIdType>(this->Actors.size())
+           ? this->Actors[static_cast<size_t>(number)].GetPointer()
+           : nullptr;
 }
 
 vtkLimnRenderWindow::vtkFrame::Region vtkLimnRenderWindow::vtkFrame::Clip(
@@ -62,6 +125,10 @@ void vtkLimnRenderWindow::vtkFrame::ClearLater(const Region& inside, limn::Rgba8
   this->ClearNow();
   this->RegionToClear = inside;
   this->ClearColor = color;
+  if (inside.GetSize() == this->Color.size())
+  {
+    this->Actors.clear();
+  }
 }
 
 void vtkLimnRenderWindow::vtkFrame::ClearNow()
@@ -79,6 +146,20 @@ void vtkLimnRenderWindow::vtkFrame::ClearNow()
     [&](limn::Rgba8* row, size_t count, size_t) { std::copy_n(colors.begin(), count, row); });
   this->ForEachRow(this->Depth, region,
     [&](float* row, size_t count, size_t) { std::copy_n(depths.begin(), count, row); });
+  if (!this->Maps)
+  {
+    return;
+  }
+  for (limn::Array<float>& plane : this->Normal)
+  {
+    this->ForEachRow(
+      plane, region, [](float* row, size_t count, size_t) { std::fill_n(row, count, 0.0f); });
+  }
+  for (limn::Array<std::uint32_t>* plane : { &this->Actor, &this->Cell })
+  {
+    this->ForEachRow(*plane, region,
+      [](std::uint32_t* row, size_t count, size_t) { std::fill_n(row, count, limn::kNobody); });
+  }
 }
 
 limn::FrameView vtkLimnRenderWindow::vtkFrame::View(const Region& inside)
@@ -98,5 +179,12 @@ limn::FrameView vtkLimnRenderWindow::vtkFrame::View(const Region& inside)
   view.color = this->GetColor().data() + corner;
   view.depth = this->GetDepth().data() + corner;
   view.background = limn::Background::kBlend;
+  if (this->Maps)
+  {
+    view.normal = { this->Normal[0].data() + corner, this->Normal[1].data() + corner,
+      this->Normal[2].data() + corner };
+    view.instance = this->Actor.data() + corner;
+    view.cell = this->Cell.data() + corner;
+  }
   return view;
 }

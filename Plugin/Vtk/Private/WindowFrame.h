@@ -5,7 +5,9 @@
 
 #include "EngineState.h"
 
+#include "vtkActor.h"
 #include "vtkLimnRenderWindow.h"
+#include "vtkWeakPointer.h"
 
 #include "Rendering/Base/Array.h"
 #include "Rendering/Base/Executor.h"
@@ -43,6 +45,19 @@ public:
   int GetHeight() const { return this->Height; }
   limn::Array<limn::Rgba8>& GetColor();
   limn::Array<float>& GetDepth();
+
+  /// Whether there are planes of normals and names besides; switched on they start as empty.
+  void SetMaps(bool maps);
+  bool HasMaps() const { return this->Maps; }
+  /// In view space; (0, 0, 0) where nothing is seen. Only with maps, as the next two.
+  limn::Array<float>& GetNormal(int axis);
+  /// An actor's number, or limn::kNobody.
+  limn::Array<std::uint32_t>& GetActor();
+  limn::Array<std::uint32_t>& GetCell();
+  /// The number of an actor in the picture. Numbers start anew when all of it is cleared.
+  std::uint32_t NumberOf(vtkActor* actor);
+  /// Null for numbers that are none, and for actors that are gone.
+  vtkActor* ActorOf(vtkIdType number) const;
 
   /// The part of `region` that lies in the window.
   Region Clip(const Region& region) const;
@@ -98,12 +113,18 @@ public:
 
 private:
   void ClearNow();
+  void ResizeMaps();
 
   int Width = 0;
   int Height = 0;
   limn::Array<limn::Rgba8> Color;
   limn::Array<float> Depth;
-  Region RegionToClear = { 0, 0, 0, 0 }; ///< empty if none is
+  bool Maps = false;
+  limn::Array<float> Normal[3];
+  limn::Array<std::uint32_t> Actor;
+  limn::Array<std::uint32_t> Cell;
+  std::vector<vtkWeakPointer<vtkActor>> Actors; ///< by number
+  Region RegionToClear = { 0, 0, 0, 0 };        ///< empty if none is
   limn::Rgba8 ClearColor = { 0, 0, 0, 0 };
 };
 
