@@ -78,12 +78,13 @@ void checkLines(const SceneSettings& scene)
     { "--hidden-lines", lines.hidden.has_value() } };
   for (const auto& [name, isGiven] : options)
   {
-    if (isGiven && lines.kinds.empty())
+    if (isGiven && lines.kinds.empty() && scene.style.empty())
     {
       throw UserError(std::string(name) + " needs lines; add --lines=crease or another kind");
     }
   }
-  if (lines.creaseAngleDegrees && !has(LineKind::Crease) && !has(LineKind::Contour))
+  if (lines.creaseAngleDegrees && !has(LineKind::Crease) && !has(LineKind::Contour) &&
+      scene.style.empty())
   {
     throw UserError("--crease-angle needs --lines=crease or --lines=contour");
   }
@@ -317,7 +318,6 @@ Request parseRender(const Arguments& arguments)
 {
   RenderSettings settings;
   SceneSettings& scene = settings.scene;
-  std::optional<Color> background;
   OptionList options("render", "Draws meshes into a PNG file.");
   options.addFiles("MESH", "files to draw, one scene", scene.meshes);
   options.add("--output", "FILE.png", "written whole or not at all",
@@ -328,9 +328,9 @@ Request parseRender(const Arguments& arguments)
     "the colours of --coloring-array as drawn: values from\nleft to right, from averted to facing "
     "upwards",
     [&](const std::string&, const std::string& text) { settings.toneLegend = text; });
-  options.add("--background-color", "r,g,b", "(0.94,0.95,0.97)",
+  options.add("--background-color", "r,g,b", "(0.94,0.95,0.97, or the style's)",
     [&](const std::string& option, const std::string& text)
-    { background = parseColor(option, text); });
+    { scene.background = parseColor(option, text); });
   options.addSwitch(
     "--no-background", "transparent where no mesh is", settings.transparentBackground);
   options.add("--window", "name", "cpu (needs no display), gl (an OpenGL window) (cpu)",
@@ -344,6 +344,7 @@ Request parseRender(const Arguments& arguments)
     return HelpRequest{ options.help() };
   }
   takePictures(scene.material);
+  checkStyle(scene);
   checkScene(scene, "render");
   checkShading(scene.material);
   checkIllustration(scene.material);
@@ -352,11 +353,10 @@ Request parseRender(const Arguments& arguments)
   checkReflection(scene.material);
   checkTextures(scene.texture);
   checkOutputs(settings);
-  if (background && settings.transparentBackground)
+  if (scene.background && settings.transparentBackground)
   {
     throw UserError("--background-color and --no-background exclude each other; give one");
   }
-  scene.background = background.value_or(scene.background);
   return RenderRequest{ settings };
 }
 
@@ -366,7 +366,7 @@ Request parseView(const Arguments& arguments)
   OptionList options("view", "Shows meshes in a window; press h in it for the keys.");
   options.addFiles("MESH", "files to show, one scene", scene.meshes);
   addSceneOptions(options, scene);
-  options.add("--background-color", "r,g,b", "(0.94,0.95,0.97)",
+  options.add("--background-color", "r,g,b", "(0.94,0.95,0.97, or the style's)",
     [&](const std::string& option, const std::string& text)
     { scene.background = parseColor(option, text); });
   if (!options.read(arguments))
@@ -374,6 +374,7 @@ Request parseView(const Arguments& arguments)
     return HelpRequest{ options.help() };
   }
   takePictures(scene.material);
+  checkStyle(scene);
   checkScene(scene, "view");
   return ViewRequest{ scene };
 }

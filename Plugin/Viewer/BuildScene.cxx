@@ -11,10 +11,12 @@
 #include "vtkLimnLight.h"
 #include "vtkLimnPolyDataMapper.h"
 #include "vtkLimnProperty.h"
+#include "vtkLimnStyle.h"
 
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
 
@@ -397,11 +399,10 @@ void applyLines(const LineSettings& lines, vtkLimnProperty& property)
   {
     property.SetCreaseAngle(*lines.creaseAngleDegrees);
   }
-  if (lines.width)
-  {
-    property.SetStrokeWidth(lines.width->value);
-    property.SetStrokeUnit(lines.width->unit);
-  }
+  const StrokeWidth width =
+    lines.width.value_or(StrokeWidth{ 1.5, vtkLimnProperty::STROKE_PIXELS });
+  property.SetStrokeWidth(width.value);
+  property.SetStrokeUnit(width.unit);
   property.SetOuterWidthFactor(lines.outerWidth.value_or(1));
   property.SetStrokeColor(lines.color.value_or(Color{ 0, 0, 0 }).data());
   property.SetStrokeOpacity(lines.opacity.value_or(1));
@@ -409,6 +410,53 @@ void applyLines(const LineSettings& lines, vtkLimnProperty& property)
   const std::array<double, 2> dash = lines.dash.value_or(std::array<double, 2>{ 0, 0 });
   property.SetStrokeDash(dash[0]);
   property.SetStrokeGap(dash[1]);
+}
+
+void applyMaterial(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  setReflectance(material, property);
+  setIllustration(material, property);
+  setShading(material, property);
+  setReflection(material, property);
+  property.SetBackfaceCulling(material.backfaceCulling);
+}
+
+/// With what the user has named of its lines.
+void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty& property)
+{
+  if (settings.style.empty())
+  {
+    return;
+  }
+  const LineSettings& lines = settings.lines;
+  vtkLimnStyle::Apply(&property, settings.style.c_str());
+  // Without normals of its own a mesh is as sharp as its creases are.
+  if (!settings.material.featureAngleDegrees && !mesh.surface->GetPointData()->GetNormals())
+  {
+    property.SetFeatureAngle(property.GetCreaseAngle());
+  }
+  if (lines.width)
+  {
+    property.SetStrokeWidth(lines.width->value);
+    property.SetStrokeUnit(lines.width->unit);
+  }
+  property.SetCreaseAngle(lines.creaseAngleDegrees.value_or(property.GetCreaseAngle()));
+  property.SetOuterWidthFactor(lines.outerWidth.value_or(property.GetOuterWidthFactor()));
+  property.SetStrokeOpacity(lines.opacity.value_or(property.GetStrokeOpacity()));
+  property.SetStrokeTaper(lines.taper.value_or(property.GetStrokeTaper()));
+  if (lines.color)
+  {
+    property.SetStrokeColor(lines.color->data());
+  }
+  if (lines.dash)
+  {
+    property.SetStrokeDash((*lines.dash)[0]);
+    property.SetStrokeGap((*lines.dash)[1]);
+  }
+  if (lines.hidden)
+  {
+    property.SetHiddenLines(hiddenLinesOf(*lines.hidden));
+  }
 }
 
 void addMeshes(
@@ -421,10 +469,7 @@ void addMeshes(
     vtkNew<vtkLimnPolyDataMapper> mapper;
     mapper->SetInputData(mesh.surface);
     vtkNew<vtkLimnProperty> property;
-    applyMaterial(settings.material, *property);
-    property->SetToonRamp(pictures.ramp.Get());
-    property->SetMatCap(pictures.matCap.Get());
-    applyLines(settings.lines, *property);
+    applyLook(settings, mesh, pictures, *property);
     vtkNew<vtkLimnActor> actor;
     actor->SetMapper(mapper);
     actor->SetProperty(property);
@@ -460,13 +505,21 @@ Subject subjectOf(const std::vector<Mesh>& meshes)
 
 } // namespace
 
-void applyMaterial(const MaterialSettings& material, vtkLimnProperty& property)
+void applyLook(const SceneSettings& settings, const Mesh& mesh, const TonePictures& pictures,
+  vtkLimnProperty& property)
 {
-  setReflectance(material, property);
-  setIllustration(material, property);
-  setShading(material, property);
-  setReflection(material, property);
-  property.SetBackfaceCulling(material.backfaceCulling);
+  applyMaterial(settings.material, property);
+  property.SetToonRamp(pictures.ramp.Get());
+  property.SetMatCap(pictures.matCap.Get());
+  applyLines(settings.lines, property);
+  applyStyle(settings, mesh, property);
+}
+
+void setBackground(const SceneSettings& settings, vtkRenderer& renderer)
+{
+  Color paper = kDefaultBackground;
+  vtkLimnStyle::GetBackground(settings.style.c_str(), paper.data());
+  renderer.SetBackground(settings.background.value_or(paper).data());
 }
 
 void pointCamera(
@@ -481,7 +534,7 @@ void buildScene(
   const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
 {
   requireFaces(meshes);
-  renderer.SetBackground(settings.background.data());
+  setBackground(settings, renderer);
   addLights(settings, renderer);
   addMeshes(settings, meshes, renderer);
   pointCamera(settings, meshes, renderer);

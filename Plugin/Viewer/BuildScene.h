@@ -3,6 +3,7 @@
 #ifndef limn_viewer_BuildScene_h
 #define limn_viewer_BuildScene_h
 
+#include "ApplyTextures.h"  // for TonePictures
 #include "LoadMesh.h"       // for Mesh
 #include "RenderSettings.h" // for SceneSettings
 
@@ -24,8 +25,13 @@ void buildScene(
 void pointCamera(
   const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer);
 
-/// Makes `property` look as the settings say, in the meaning of the chapter's equations.
-void applyMaterial(const MaterialSettings& material, vtkLimnProperty& property);
+/// Makes the property of a mesh look as the settings say: in the meaning of the chapter's
+/// equations, or in a style.
+void applyLook(const SceneSettings& settings, const Mesh& mesh, const TonePictures& pictures,
+  vtkLimnProperty& property);
+
+/// The user's, or the style's.
+void setBackground(const SceneSettings& settings, vtkRenderer& renderer);
 
 } // namespace limn::viewer
 

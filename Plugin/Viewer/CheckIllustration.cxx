@@ -102,6 +102,25 @@ void takePictures(MaterialSettings& material)
   material.tone = isRamp ? Tone::Ramp : isMatCap ? Tone::MatCap : material.tone;
 }
 
+void checkStyle(const SceneSettings& scene)
+{
+  const MaterialSettings& material = scene.material;
+  const std::pair<const char*, bool> options[] = {
+    { "--tone", material.tone != Tone::None },
+    { "--outline", material.outline != Outline::None },
+    { "--lines", !scene.lines.kinds.empty() },
+    { "--reflection", material.reflection.has_value() },
+    { "--model", material.localModel.has_value() },
+  };
+  for (const auto& [option, isGiven] : options)
+  {
+    if (isGiven && !scene.style.empty())
+    {
+      throw UserError(std::string("--style and ") + option + " exclude each other; give one");
+    }
+  }
+}
+
 void checkIllustration(const MaterialSettings& material)
 {
   checkRamp(material);

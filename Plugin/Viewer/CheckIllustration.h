@@ -13,6 +13,9 @@ void takePictures(MaterialSettings& material);
 
 /// Throws UserError for an option that the picture would not show. For a picture alone: in a window
 /// keys choose tone and outline.
+/// Throws UserError where a style and what it decides on are both asked for.
+void checkStyle(const SceneSettings& scene);
+
 void checkIllustration(const MaterialSettings& material);
 
 } // namespace limn::viewer

@@ -72,6 +72,15 @@ const Choices<Outline>& outlines()
   return choices;
 }
 
+const Choices<std::string>& styles()
+{
+  static const Choices<std::string> choices = { { "plain", "plain" }, { "technical", "technical" },
+    { "gooch", "gooch" }, { "toon", "toon" }, { "blueprint", "blueprint" }, { "pencil", "pencil" },
+    { "ink", "ink" }, { "anatomy", "anatomy" }, { "metal", "metal" }, { "xray", "xray" },
+    { "print", "print" } };
+  return choices;
+}
+
 const Choices<LineKind>& lineKinds()
 {
   static const Choices<LineKind> choices = { { "crease", LineKind::Crease },

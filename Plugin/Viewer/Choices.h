@@ -20,6 +20,8 @@ const Choices<ToneOverData>& tonesOverData();
 const Choices<ToneLight>& toneLights();
 const Choices<RampBy>& rampDetails();
 const Choices<Outline>& outlines();
+/// Names of vtkLimnStyle.
+const Choices<std::string>& styles();
 const Choices<LineKind>& lineKinds();
 const Choices<HiddenLines>& hiddenLines();
 const Choices<Detector>& detectors();

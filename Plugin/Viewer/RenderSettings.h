@@ -227,9 +227,9 @@ struct MaterialSettings
   std::optional<double> featureAngleDegrees; ///< 0 to 180; no sharp edges if not given
   std::optional<Reflection> reflection;      ///< kDefaultReflection if not given
   Tone tone = Tone::None;
-  std::optional<ToneOverData> toneOverData; ///< classic if not given
-  std::optional<double> undertone;          ///< 0 to 1; the property's default if not given
-  std::optional<double> legendSafeRange;    ///< 0 to 100; the property's default if not given
+  std::optional<ToneOverData> toneOverData;       ///< classic if not given
+  std::optional<double> undertone;                ///< 0 to 1; the property's default if not given
+  std::optional<double> legendSafeRange;          ///< 0 to 100; the property's default if not given
   std::optional<int> toonSteps;                   ///< 2 to 64; 3 for Toon, else none, if not given
   std::optional<ToneLight> toneLight;             ///< of the scene if not given
   std::string toonRamp, matCap;                   ///< files; empty: none
@@ -305,7 +305,8 @@ struct SceneSettings
   std::optional<double> pixelsPerInch; ///< of the picture, for lines in points and millimetres
   std::vector<LightSettings> lights;   ///< none: a headlight
   Color ambientLight = { 0, 0, 0 };    ///< I_a
-  Color background = { 0.94, 0.95, 0.97 };
+  std::optional<Color> background;     ///< the style's, else kDefaultBackground, if not given
+  std::string style;                   ///< a name of vtkLimnStyle; empty: none
   int samples = 4;
   int threads = 0; ///< 0: not given, one for each core unless LIMN_THREADS says otherwise
 };
@@ -363,6 +364,7 @@ inline constexpr Reflection kDefaultReflection = Reflection::BlinnPhong;
 inline constexpr double kDefaultRoughness = 0.5;
 inline constexpr double kDefaultRefractiveIndex = 1.5;
 inline constexpr double kDefaultRimPower = 3;
+inline constexpr Color kDefaultBackground = { 0.94, 0.95, 0.97 };
 inline constexpr Color kDefaultColor = { 0.66, 0.73, 0.82 };
 
 } // namespace limn::viewer

@@ -249,9 +249,15 @@ void addTone(OptionList& options, MaterialSettings& material)
     [&material](Text, Text text) { material.matCap = text; });
 }
 
-void addIllustration(OptionList& options, MaterialSettings& material)
+void addIllustration(OptionList& options, SceneSettings& scene)
 {
+  MaterialSettings& material = scene.material;
   options.startGroup("Illustration");
+  options.add("--style", "name",
+    "all below, and --lines, by one word: plain,\n"
+    "technical, gooch, toon, blueprint, pencil, ink,\n"
+    "anatomy, metal, xray, print (none)",
+    choose(scene.style, styles()));
   addTone(options, material);
   options.add("--outline", "name",
     "none, normal (where the surface turns away), hull (a\nline around it), image (borders, steps "
@@ -438,7 +444,7 @@ void addSceneOptions(OptionList& options, SceneSettings& scene)
 {
   addCamera(options, scene.camera);
   addMaterial(options, scene.material);
-  addIllustration(options, scene.material);
+  addIllustration(options, scene);
   addLines(options, scene);
   addTextures(options, scene.texture);
   addLights(options, scene);

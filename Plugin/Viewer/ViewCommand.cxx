@@ -32,6 +32,8 @@ const char* const kKeys = R"(Keys
   t  tone: none, gooch, gooch-chapter, gooch-rtr4,
      gooch-orange-book, metal, toon
   o  outline: none, normal, hull, image
+  y  style: plain, technical, gooch, toon, blueprint, pencil, ink,
+     anatomy, metal, xray, print
   m  samples per pixel: 1, 2, 4, 8, 16
   r  reset the camera
   h  print this text
@@ -84,7 +86,8 @@ class View
 {
 public:
   View(const SceneSettings& settings, const std::vector<Mesh>& meshes)
-    : settings_(settings), meshes_(meshes), opened_(openWindow(Window::Gl, settings))
+    : settings_(settings), meshes_(meshes), pictures_(loadTonePictures(settings.material)),
+      opened_(openWindow(Window::Gl, settings))
   {
     buildScene(this->settings_, this->meshes_, *this->opened_.renderer);
   }
@@ -110,6 +113,11 @@ public:
       case 'o':
         advance(outlines(), material.outline);
         break;
+      case 'y':
+        this->settings_.style = this->settings_.style.empty()
+                                  ? styles().front().second
+                                  : next(styles(), this->settings_.style);
+        break;
       case 'm':
         advance(sampleCounts(), this->settings_.samples);
         break;
@@ -127,10 +135,13 @@ public:
   {
     vtkActorCollection* const actors = this->opened_.renderer->GetActors();
     actors->InitTraversal();
-    while (vtkActor* const actor = actors->GetNextActor())
+    for (const Mesh& mesh : this->meshes_)
     {
-      applyMaterial(this->settings_.material, *vtkLimnProperty::SafeDownCast(actor->GetProperty()));
+      vtkActor* const actor = actors->GetNextActor();
+      applyLook(this->settings_, mesh, this->pictures_,
+        *vtkLimnProperty::SafeDownCast(actor->GetProperty()));
     }
+    setBackground(this->settings_, *this->opened_.renderer);
     this->window().SetMultiSamples(this->settings_.samples);
     this->window().SetWindowName(this->title().c_str());
     this->window().Render();
@@ -153,12 +164,14 @@ private:
            (material.localModel ? "model " + std::to_string(*material.localModel)
                                 : nameOf(reflections(), reflectionOf(material))) +
            " | tone " + toneName(material.tone) + " | outline " +
-           nameOf(outlines(), material.outline) + " | samples " +
-           std::to_string(this->settings_.samples) + " | h: keys";
+           nameOf(outlines(), material.outline) +
+           (this->settings_.style.empty() ? "" : " | style " + this->settings_.style) +
+           " | samples " + std::to_string(this->settings_.samples) + " | h: keys";
   }
 
   SceneSettings settings_;
   const std::vector<Mesh>& meshes_;
+  TonePictures pictures_;
   OpenedWindow opened_;
 };
 

@@ -248,6 +248,8 @@ void Reset(vtkLimnProperty* property)
   vtkNew<vtkLimnProperty> fresh;
   fresh->DeepCopy(ordinary);
   fresh->SetOpacity(FirstOpacity(property));
+  fresh->SetShadingFrequency(property->GetShadingFrequency());
+  fresh->SetFlatPoint(property->GetFlatPoint());
   fresh->SetVertexNormals(property->GetVertexNormals());
   fresh->SetFeatureAngle(property->GetFeatureAngle());
   fresh->SetTextureRole(property->GetTextureRole());

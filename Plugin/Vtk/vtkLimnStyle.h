@@ -5,8 +5,8 @@
  * @brief   a renderer's surfaces in a style of illustration, by one word
  *
  * Each style is a set of values for the settings of vtkLimnProperty, and for some a background.
- * Apply() gives them to all actors of a renderer that Limn draws, so that an existing scene needs one
- * call. Colours, textures and data stay the actors' own. What a style has set can be changed
+ * Apply() gives them to all actors of a renderer that Limn draws, so that an existing scene needs
+ * one call. Colours, textures and data stay the actors' own. What a style has set can be changed
  * afterwards, property by property; another style starts anew from the defaults of vtkLimnProperty,
  * with the opacity and the background that were there before the first one.
  *
@@ -56,8 +56,8 @@ public:
   ///@{
   /**
    * Gives all actors that are in the renderer now, parts of assemblies too, the style of this name,
-   * and the renderer the style's background. An actor's vtkProperty that is not a vtkLimnProperty is
-   * replaced by one with its values; actors that shared one still do. Actors whose mapper is not
+   * and the renderer the style's background. An actor's vtkProperty that is not a vtkLimnProperty
+   * is replaced by one with its values; actors that shared one still do. Actors whose mapper is not
    * Limn's keep their look. For a property alone the same without a background. False, with a
    * warning that names the styles, if there is none of that name.
    */
@@ -66,7 +66,8 @@ public:
   ///@}
 
   /**
-   * The background that a style asks for, to `rgb`; false if any will do, or there is no such style.
+   * The background that a style asks for, to `rgb`; false if any will do, or there is no such
+   * style.
    */
   static bool GetBackground(const char* name, double rgb[3]);
 
