@@ -371,6 +371,7 @@ void setLineKinds(const std::vector<LineKind>& kinds, vtkLimnProperty& property)
   property.SetIdLines(has(LineKind::Ids));
   property.SetNormalLines(has(LineKind::Normals));
   property.SetContourLines(has(LineKind::Contour));
+  property.SetSilhouetteLines(has(LineKind::Silhouette));
   property.SetRidgeLines(has(LineKind::Ridge));
   property.SetValleyLines(has(LineKind::Valley));
   property.SetSuggestiveLines(has(LineKind::Suggestive));

@@ -86,8 +86,8 @@ const Choices<LineKind>& lineKinds()
   static const Choices<LineKind> choices = { { "crease", LineKind::Crease },
     { "border", LineKind::Border }, { "non-manifold", LineKind::NonManifold },
     { "ids", LineKind::Ids }, { "normals", LineKind::Normals }, { "contour", LineKind::Contour },
-    { "ridge", LineKind::Ridge }, { "valley", LineKind::Valley },
-    { "suggestive", LineKind::Suggestive } };
+    { "silhouette", LineKind::Silhouette }, { "ridge", LineKind::Ridge },
+    { "valley", LineKind::Valley }, { "suggestive", LineKind::Suggestive } };
   return choices;
 }
 

@@ -260,6 +260,7 @@ enum class LineKind
   Ids,
   Normals,
   Contour,
+  Silhouette,
   Ridge,
   Valley,
   Suggestive

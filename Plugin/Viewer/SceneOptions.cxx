@@ -342,7 +342,8 @@ void addLines(OptionList& options, SceneSettings& scene)
     "one or more, with commas between them: crease,\n"
     "border, non-manifold, ids (cells whose array\n"
     "differs), normals (where they are split), contour\n"
-    "(where the surface turns away), and of smooth\n"
+    "(where the surface turns away), silhouette (the\n"
+    "same along edges of the mesh), and of smooth\n"
     "surfaces ridge, valley, suggestive (none)",
     into(lines.kinds, parseLineKinds));
   options.add("--crease-angle", "degrees", "0 to 180, between faces' normals, of creases (40)",

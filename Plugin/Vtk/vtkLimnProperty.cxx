@@ -310,6 +310,7 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetIdLines(other->IdLines);
   this->SetNormalLines(other->NormalLines);
   this->SetContourLines(other->ContourLines);
+  this->SetSilhouetteLines(other->SilhouetteLines);
   this->SetRidgeLines(other->RidgeLines);
   this->SetValleyLines(other->ValleyLines);
   this->SetSuggestiveLines(other->SuggestiveLines);
@@ -396,6 +397,7 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "IdLines: " << (this->IdLines ? "On" : "Off") << "\n";
   os << indent << "NormalLines: " << (this->NormalLines ? "On" : "Off") << "\n";
   os << indent << "ContourLines: " << (this->ContourLines ? "On" : "Off") << "\n";
+  os << indent << "SilhouetteLines: " << (this->SilhouetteLines ? "On" : "Off") << "\n";
   os << indent << "RidgeLines: " << (this->RidgeLines ? "On" : "Off") << "\n";
   os << indent << "ValleyLines: " << (this->ValleyLines ? "On" : "Off") << "\n";
   os << indent << "SuggestiveLines: " << (this->SuggestiveLines ? "On" : "Off") << "\n";

@@ -518,11 +518,15 @@ public:
   /**
    * The line where the surface turns away from the viewer. Between creases the surface is taken to
    * be smooth, and the line follows that and not the edges of the mesh; it is found anew for each
-   * step of the camera. Default: off.
+   * step of the camera. On coarse meshes it lies beside the facets that are seen; silhouettes, the
+   * edges between a face seen from its front and one seen from its back, lie on them. Default: off.
    */
   vtkSetMacro(ContourLines, bool);
   vtkGetMacro(ContourLines, bool);
   vtkBooleanMacro(ContourLines, bool);
+  vtkSetMacro(SilhouetteLines, bool);
+  vtkGetMacro(SilhouetteLines, bool);
+  vtkBooleanMacro(SilhouetteLines, bool);
   ///@}
 
   ///@{
@@ -817,6 +821,7 @@ protected:
   bool IdLines = false;
   bool NormalLines = false;
   bool ContourLines = false;
+  bool SilhouetteLines = false;
   bool RidgeLines = false;
   bool ValleyLines = false;
   bool SuggestiveLines = false;

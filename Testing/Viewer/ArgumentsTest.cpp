@@ -170,7 +170,7 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=border", "--dpi=300" }, "--dpi needs --stroke-width in pt or mm" },
     { { "--lines=crease,edges" },
       "--lines=edges is unknown; choose one of: crease, border, non-manifold, ids, normals, "
-      "contour, ridge, valley, suggestive" },
+      "contour, silhouette, ridge, valley, suggestive" },
     { { "--lines=crease,crease" }, "--lines=crease,crease names a kind twice; name it once" },
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },

@@ -72,6 +72,11 @@ CHOICES = {
         ["--outline=normal", "--outline-width=3"],
     ],
     "opacity": [[], ["--opacity=0.6"]],
+    "lines": [
+        [],
+        ["--lines=contour,border", "--stroke-width=3", "--hidden-lines=dashed"],
+        ["--lines=silhouette,crease,ridge,suggestive", "--outer-width=2", "--stroke-opacity=0.5", "--stroke-taper=9"],
+    ],
     "samples": [["--samples=" + n] for n in ("1", "2", "4", "8", "16")],
 }
 

@@ -156,6 +156,11 @@ void checkContour()
   checkIsNear(stage.Coverage(), circle, 0.01 * circle);
   stage.Property->SetCreaseAngle(0);
   checkIsNear(stage.Coverage(), circle, 0.03 * circle);
+  stage.Property->ContourLinesOff();
+  stage.Property->SilhouetteLinesOn();
+  checkIsNear(stage.Coverage(), circle, 0.03 * circle);
+  stage.Property->SilhouetteLinesOff();
+  stage.Property->ContourLinesOn();
   // Normals of the data are not asked: soup has the same contour.
   stage.Property->SetCreaseAngle(40);
   vtkNew<vtkPolyDataNormals> split;

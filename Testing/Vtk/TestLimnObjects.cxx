@@ -136,6 +136,7 @@ void checkPropertyCopy()
   property->IdLinesOn();
   property->NormalLinesOn();
   property->ContourLinesOn();
+  property->SilhouetteLinesOn();
   property->RidgeLinesOn();
   property->ValleyLinesOn();
   property->SuggestiveLinesOn();

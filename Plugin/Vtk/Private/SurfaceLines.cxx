@@ -96,7 +96,8 @@ std::vector<std::uint32_t> numbersOf(vtkDataArray* ids)
 bool wantsLines(vtkProperty* property)
 {
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
-  return limn && (kindsOf(limn) != 0 || limn->GetContourLines() || wantsCurves(limn));
+  return limn && (kindsOf(limn) != 0 || limn->GetContourLines() || limn->GetSilhouetteLines() ||
+                   wantsCurves(limn));
 }
 
 bool SurfaceLines::Choice::operator==(const Choice& other) const
@@ -301,6 +302,11 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
   if (kindsOf(property) != 0)
   {
     this->addFeatures(property, data, view, instance, frame);
+  }
+  if (property->GetSilhouetteLines())
+  {
+    frame.edges.push_back(std::make_shared<const EdgeChains>(
+      silhouetteEdges(instance.mesh, table_, view.camera, instance.modelToWorld, view.threads)));
   }
   if (property->GetContourLines())
   {
