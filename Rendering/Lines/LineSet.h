@@ -46,6 +46,8 @@ struct LineStyle {
   LineCap cap = LineCap::kRound;
 };
 inline constexpr float kMaxLineWidth = 256;
+/// In pixels. Of longer segments double does not tell the part that is in the picture.
+inline constexpr double kLongestSegment = 1e12;
 
 inline bool operator==(const LineStyle& a, const LineStyle& b)
 {

@@ -68,6 +68,10 @@ class ChainCutter {
       }
       const double dx = segment.b.x - segment.a.x, dy = segment.b.y - segment.a.y;
       segment.length = std::sqrt(dx * dx + dy * dy);
+      if (!(segment.length <= kLongestSegment)) {
+        isUnbroken = false;
+        continue;
+      }
       if (segment.length <= kShortest) continue;
       segment.start = start;
       start += segment.length;

@@ -259,6 +259,10 @@ class Lines {
       }
       const double dx = s->b.x - s->a.x, dy = s->b.y - s->a.y;
       s->length = std::sqrt(dx * dx + dy * dy);
+      if (!(s->length <= kLongestSegment)) {
+        isBroken = true;
+        continue;
+      }
       if (s->length <= kShortest) continue;
       s->start = length;
       length += s->length;

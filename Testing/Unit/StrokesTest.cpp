@@ -473,6 +473,8 @@ TEST_P(Strokes, LinesBeforeTheEyeAndOutsideThePictureAreCutOff)
   line.add({{0, -0.3, 20}, {0, 0, -3}});
   line.add({{-1e5, 0.1, 0}, {1e5, 0.1, 0}});
   line.add({{std::nan(""), 0, 0}, {0, 0, 0}});
+  line.add({{-1e38, 0.2, 0}, {1e38, 0.2, 0}});
+  line.add({{0, -1e20, 0}, {0.1, 3e20, 0}});
   const std::vector<LineSet> sets = {line.lines(redLine(1))};
   stage.instances = {testing::painted(nothing(), {0, 0, 1})};
   stage.instances[0].lines = sets;
