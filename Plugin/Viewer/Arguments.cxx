@@ -269,7 +269,8 @@ void checkOutputs(const RenderSettings& settings)
     throw UserError("no output is named; add --output=FILE.png");
   }
   if (!settings.toneLegend.empty() &&
-      (settings.scene.material.tone == Tone::None || settings.scene.coloring.array.empty()))
+      ((settings.scene.material.tone == Tone::None && settings.scene.style.empty()) ||
+        settings.scene.coloring.array.empty()))
   {
     refuseWithout("--tone-legend", "a tone and --coloring-array=NAME");
   }

@@ -7,15 +7,16 @@ namespace limn::viewer
 {
 
 struct MaterialSettings;
+struct SceneSettings;
 
 /// Makes a ramp or a matcap the tone. Throws UserError where options exclude each other.
 void takePictures(MaterialSettings& material);
 
-/// Throws UserError for an option that the picture would not show. For a picture alone: in a window
-/// keys choose tone and outline.
 /// Throws UserError where a style and what it decides on are both asked for.
 void checkStyle(const SceneSettings& scene);
 
+/// Throws UserError for an option that the picture would not show. For a picture alone: in a window
+/// keys choose tone and outline.
 void checkIllustration(const MaterialSettings& material);
 
 } // namespace limn::viewer

@@ -118,11 +118,11 @@ std::vector<DrawnPicture> drawPictures(
 }
 
 /// Of colours by an array.
-void writeToneLegend(const SceneSettings& scene, const std::string& file)
+void writeToneLegend(const SceneSettings& scene, const Mesh& mesh, const std::string& file)
 {
   const std::string colormap = scene.coloring.colormap.value_or(kDefaultColormap);
   vtkNew<vtkLimnProperty> property;
-  applyMaterial(scene.material, *property);
+  applyLook(scene, mesh, {}, *property);
   vtkNew<vtkLimnToneLegend> legend;
   legend->SetLookupTable(makeColormap(colormap, { 0, 1 }));
   legend->SetSurfaceProperty(property);
@@ -184,7 +184,7 @@ ExitStatus render(const RenderSettings& settings)
   }
   if (!settings.toneLegend.empty())
   {
-    writeToneLegend(settings.scene, settings.toneLegend);
+    writeToneLegend(settings.scene, meshes[0], settings.toneLegend);
   }
   times.write = writing.milliseconds();
   if (settings.stats)
