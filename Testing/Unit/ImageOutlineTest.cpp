@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 namespace limn::testing {
 namespace {
@@ -129,6 +128,31 @@ TEST_P(ImageOutlines, CoverWidthTimesLengthOfDiscs)
         EXPECT_NEAR(darkness(drawOverWhite(stage, GetParam())) / area, 1, 0.005)
             << "radius " << radius << ", width " << width << ", " << samples << " samples";
       }
+}
+
+TEST_P(ImageOutlines, RunAroundASphereAndNowhereElse)
+{
+  // Depth falls off steeply towards a sphere's border, which is no step.
+  for (const int samples : {1, 4, 8}) {
+    Stage stage;
+    stage.width = stage.height = 120;
+    stage.resolve = Resolve::kLinear;
+    stage.samples = samples;
+    stage.view = perspectiveView({0, 0, 3}, {0, 0, 0}, 50);
+    stage.instances = {outlined(fineSphere(), 2)};
+    stage.instances[0].style.normals = NormalSource::kVertex;
+    const double f = stage.height / 2.0 / std::tan(25 * kPi / 180);
+    const double radius = f / std::sqrt(3.0 * 3.0 - 1);
+    const double area = kPi * (radius * radius - (radius - 2) * (radius - 2));
+    const Picture picture = drawOverWhite(stage, GetParam());
+    // One sample tells no more than between which pixels the border lies.
+    EXPECT_NEAR(darkness(picture) / area, 1, samples == 1 ? 0.05 : 0.01) << samples;
+    for (int y = 0; y < stage.height; ++y)
+      for (int x = 0; x < stage.width; ++x)
+        if (std::hypot(x + 0.5 - 60, y + 0.5 - 60) < radius - 2 - 1) {
+          ASSERT_EQ(at(picture, x, y).g, 255) << x << ", " << y << " of " << samples;
+        }
+  }
 }
 
 TEST_P(ImageOutlines, LieInsideOfTheNearerSurfaceAlone)

@@ -117,6 +117,9 @@ void checkPropertyCopy()
   property->SetOutlineToNormal();
   property->SetOutlineThreshold(0.9);
   property->SetOutlineWidth(2.5);
+  property->SetOutlineDetectorToLaplacian();
+  property->SetOutlineDepthTolerance(1.5);
+  property->SetOutlineCreaseAngle(25);
   property->SetOutlineColor(1, 0, 1);
   property->SetOutlineOpacity(0.6);
   property->SetToonBands(5);
@@ -176,9 +179,11 @@ void checkPropertyCopy()
   CHECK_EQUAL(copy->GetOutlineThreshold(), 0.9);
   CHECK_EQUAL(copy->GetMatCap(), property->GetMatCap());
   CHECK_EQUAL(copy->GetToonRamp()->GetInput(), picture.GetPointer());
-  
   property->SetOutline(99);
-  CHECK_EQUAL(std::string(property->GetOutlineAsString()), "Hull");
+  CHECK_EQUAL(std::string(property->GetOutlineAsString()), "Image");
+  CHECK_EQUAL(copy->GetOutlineDetectorAsString(), std::string("Laplacian"));
+  CHECK_EQUAL(copy->GetOutlineDepthTolerance(), 1.5);
+  CHECK_EQUAL(copy->GetOutlineCreaseAngle(), 25.0);
 
   property->SetShadingFrequency(99);
   CHECK_EQUAL(property->GetShadingFrequency(), int(vtkLimnProperty::FREQUENCY_PHONG));
