@@ -431,6 +431,8 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
   }
   const LineSettings& lines = settings.lines;
   vtkLimnStyle::Apply(&property, settings.style.c_str());
+  // Of VTK's shading, which knows no light that it would be a share of.
+  property.SetAmbient(settings.material.ambient ? 1 : 0);
   // Without normals of its own a mesh is as sharp as its creases are.
   if (!settings.material.featureAngleDegrees && !mesh.surface->GetPointData()->GetNormals())
   {

@@ -97,17 +97,15 @@ void SetPencil(vtkLimnProperty* property)
 {
   SetShades(property, { 0.7, 0.7, 0.7 }, { 0.98, 0.97, 0.94 });
   SetLines(property, { 0.24, 0.24, 0.26 }, 1.4, 1.5);
-  property->SuggestiveLinesOn();
   property->SetStrokeOpacity(0.8);
-  property->SetStrokeTaper(16);
+  property->SetStrokeTaper(6);
 }
 
 void SetInk(vtkLimnProperty* property)
 {
   SetShades(property, { 1, 1, 1 }, { 1, 1, 1 });
   SetLines(property, { 0, 0, 0 }, 1.5, 1.8);
-  property->SuggestiveLinesOn();
-  property->SetStrokeTaper(10);
+  property->SetStrokeTaper(4);
 }
 
 void SetAnatomy(vtkLimnProperty* property)

@@ -16,7 +16,7 @@
  * - toon: three even steps of light, heavy contours
  * - blueprint: white lines on blue, hidden ones dashed
  * - pencil: soft grey shades and tapered lines on paper
- * - ink: black lines on white, suggestive ones too
+ * - ink: black lines on white, nothing else
  * - anatomy: warm, matt shades of the actors' own colours, brown contours
  * - metal: bands of milled metal, contours and creases
  * - xray: bright where a surface turns away, all else seen through, on black

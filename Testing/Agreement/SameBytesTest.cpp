@@ -26,10 +26,10 @@ constexpr std::uint64_t kHashOfTextures = 6601808570278293167u;
 constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 14605611306974679685u;
-constexpr std::uint64_t kHashOfImageLines = 6901323243618671835u;
+constexpr std::uint64_t kHashOfImageLines = 10445023320426387168u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 14800548386128781990u;
-constexpr std::uint64_t kHashOfDataTones = 17885076244719390221u;
+constexpr std::uint64_t kHashOfDataTones = 5431401692603874508u;
 constexpr std::uint64_t kHashOfHulls = 12766414417319064616u;
 
 /// FNV-1a, 64 bits.

@@ -151,11 +151,11 @@ void checkProperties()
   limn->SetTexture("paper", texture);
   CHECK(applied(spheres.Renderer, "ink"));
   CHECK(limn->GetOpacity() == 1 && limn->GetMatCap() == nullptr);
-  CHECK(limn->GetSuggestiveLines() && limn->GetStrokeWidth() != 7);
+  CHECK(limn->GetContourLines() && limn->GetStrokeWidth() != 7);
   CHECK(limn->GetProceduralTexture() == vtkLimnProperty::PROCEDURAL_WOOD);
   CHECK(limn->GetTexture("paper") == texture);
   CHECK(applied(spheres.Renderer, "plain"));
-  CHECK(!limn->GetSuggestiveLines() && limn->GetTone() == vtkLimnProperty::TONE_NONE);
+  CHECK(!limn->GetContourLines() && limn->GetTone() == vtkLimnProperty::TONE_NONE);
   CHECK(spheres.Renderer->GetBackground()[0] == 0.5);
 }
 }

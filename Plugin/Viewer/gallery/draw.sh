@@ -118,6 +118,19 @@ draw knot_gooch_hull "Gooch with such an outline" "$meshes/knot.obj" --tone=gooc
   --outline-width=3 --samples=8 "$lamp"
 draw knot_gooch_outline "Gooch with the other" "$meshes/knot.obj" --tone=gooch --outline=normal "$lamp"
 
+section "Styles" "By one word: vtkLimnStyle in a program, --style on the command line. First, as VTK draws surfaces."
+draw style_plain "plain" "$teapot" --style=plain --samples=8
+draw style_technical "technical" "$meshes/gear.stl" --style=technical --samples=8
+draw style_gooch "gooch" "$meshes/knot.obj" --style=gooch --samples=8
+draw style_toon "toon" "$teapot" --style=toon --samples=8 --color=0.85,0.35,0.2
+draw style_blueprint "blueprint" "$meshes/gear.stl" --style=blueprint --samples=8
+draw style_pencil "pencil" "$teapot" --style=pencil --samples=8
+draw style_ink "ink" "$teapot" --style=ink --samples=8
+draw style_anatomy "anatomy" "$meshes/knot.obj" --style=anatomy --samples=8 --color=0.85,0.55,0.45
+draw style_metal "metal" "$teapot" --style=metal --samples=8
+draw style_xray "xray" "$teapot" --style=xray --samples=8
+draw style_print "print" "$meshes/gear.stl" --style=print --samples=8
+
 section "Light" "Point lights fall off with the square of the distance; spots have a cone."
 draw lights_point "Three coloured point lights" "$meshes/sphere.ply" --color=0.9,0.9,0.9 \
   --light=point:-2,1.5,1.5:4,0.6,0.6 --light=point:2,1.5,1.5:0.6,4,0.6 \
