@@ -155,6 +155,27 @@ TEST(Arguments, LinesAreKindsAndAStyle)
   EXPECT_EQ(widthOf("--stroke-width=0.75pt").unit, 1);
 }
 
+TEST(Arguments, AStyleTakesThePlaceOfWhatItDecidesOn)
+{
+  const RenderSettings settings =
+    parseRender({ "--style=technical", "--stroke-width=2pt", "--crease-angle=20" });
+  EXPECT_EQ(settings.scene.style, "technical");
+  EXPECT_EQ(settings.scene.lines.width->value, 2);
+  EXPECT_FALSE(settings.scene.background.has_value());
+  EXPECT_TRUE(parseRender({}).scene.style.empty());
+  for (const std::string option :
+    { "--tone=gooch", "--outline=hull", "--lines=crease", "--reflection=phong", "--model=2" })
+  {
+    EXPECT_EQ(renderErrorOf({ "--style=ink", option }),
+      "--style and " + option.substr(0, option.find('=')) + " exclude each other; give one");
+  }
+  EXPECT_EQ(renderErrorOf({ "--style=baroque" }),
+    "--style=baroque is unknown; choose one of: plain, technical, gooch, toon, blueprint, pencil, "
+    "ink, anatomy, metal, xray, print");
+  EXPECT_EQ(errorOf({ "view", "a.obj", "--style=ink", "--tone=gooch" }),
+    "--style and --tone exclude each other; give one");
+}
+
 TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
 {
   const struct
@@ -175,7 +196,7 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },
       "--stroke-width=2in is not a finite number, as in --stroke-width=1.5" },
-    { { "--lines=border", "--stroke-taper=-1" }, "--stroke-taper=-1 is below 0" },
+    { { "--lines=border", "--stroke-taper=-1" }, "--stroke-taper=-1 is negative" },
     { { "--lines=border", "--stroke-dash=3,0" },
       "--stroke-dash=3,0: dash and gap have to be above 0, and half a pixel" },
     { { "--lines=border", "--outer-width=300" }, "--outer-width=300 is greater than 256" },

@@ -223,11 +223,18 @@ TEST_F(View, KeysSwitchTheLook)
   expectChange(XK_l, "reflection lambert");
   expectChange(XK_t, "tone gooch");
   expectChange(XK_t, "tone gooch-chapter");
+  expectChange(XK_t, "tone gooch-rtr4");
+  expectChange(XK_t, "tone gooch-orange-book");
+  expectChange(XK_t, "tone metal");
+  expectChange(XK_t, "tone toon");
   expectChange(XK_t, "tone none");
   expectChange(XK_o, "outline normal");
   expectChange(XK_o, "outline hull");
   expectChange(XK_o, "outline image");
   expectChange(XK_o, "outline none");
+  expectChange(XK_y, "style plain");
+  expectChange(XK_y, "style technical");
+  expectChange(XK_y, "style gooch");
 }
 
 TEST_F(View, QEndsTheProgramWithoutAnError)
