@@ -6,6 +6,7 @@
 
 #include "vtkLimnActor.h"
 #include "vtkLimnPolyDataMapper.h"
+#include "vtkLimnProperty.h"
 #include "vtkLimnRenderWindow.h"
 #include "vtkLimnRenderer.h"
 
@@ -28,6 +29,28 @@ template <class Base, class Class>
 vtkSmartPointer<Base> Make()
 {
   return vtkSmartPointer<Class>::New();
+}
+
+/// If the actor is Limn's: with all that has a cost of its own at once.
+void Illustrate(vtkActor* actor)
+{
+  auto* const property = vtkLimnProperty::SafeDownCast(actor->GetProperty());
+  if (!property)
+  {
+    return;
+  }
+  property->SetGoochTo1998();
+  property->SetToneLightToUpperRight();
+  property->SetToonBands(4);
+  property->SetOutlineToImage();
+  property->CreaseLinesOn();
+  property->BorderLinesOn();
+  property->ContourLinesOn();
+  property->SilhouetteLinesOn();
+  property->RidgeLinesOn();
+  property->ValleyLinesOn();
+  property->SuggestiveLinesOn();
+  property->SetOuterWidthFactor(2);
 }
 }
 
@@ -69,6 +92,10 @@ Candidate::Candidate(const Way& way, const Scene& scene) : Name(way.Name)
     actor->SetMapper(mapper);
     actor->GetProperty()->SetOpacity(scene.Opacity);
     actor->SetTexture(texture);
+    if (scene.Illustrated)
+    {
+      Illustrate(actor);
+    }
     actor->SetPosition(part.Position[0], part.Position[1], part.Position[2]);
     this->Renderer->AddActor(actor);
   }

@@ -157,6 +157,12 @@ Scene Textured(Scene scene)
   return scene;
 }
 
+Scene Illustrated(Scene scene)
+{
+  scene.Illustrated = true;
+  return scene;
+}
+
 Scene Torus(int side, int samples, Coordinates coordinates)
 {
   Scene scene;
@@ -246,6 +252,8 @@ const std::vector<SceneMaker>& SceneMakers()
     named("torus 2M, textured", [] { return Textured(Torus(1000, 0, Coordinates::kTexture)); }),
     named("sphere 4K, textured",
       [] { return Textured(Filling(MakeTexturedSphere(200, 200), 3840, 2160)); }),
+    named("torus 0.2M, all lines", [] { return Illustrated(TorusScene(316, 0)); }),
+    named("torus 0.2M, all lines, 4 samples", [] { return Illustrated(TorusScene(316, 4)); }),
   };
   return makers;
 }

@@ -30,11 +30,12 @@ struct Scene
   double Zoom = 1;
   double Opacity = 1;                    ///< below 1 VTK peels depths, as exact as it can
   vtkSmartPointer<vtkImageData> Texture; ///< if any, put over all parts with mipmaps
+  bool Illustrated = false;              ///< by Limn with a tone, an outline and lines of all kinds
 
   long long CountTriangles() const;
   bool IsTranslucent() const { return this->Opacity < 1; }
-  /// Whether the limit's kernels draw it: they know neither textures nor translucent surfaces.
-  bool HasLimit() const { return !this->IsTranslucent() && !this->Texture; }
+  /// Whether the limit's kernels draw it: they know no textures, translucent surfaces and lines.
+  bool HasLimit() const { return !this->IsTranslucent() && !this->Texture && !this->Illustrated; }
 };
 
 struct SceneMaker
