@@ -173,6 +173,26 @@ renderer.SetPostEffects(effects)""",
         dark, *_ = run("import limn\n" + scene, ["DISPLAY"], LIMN_WINDOW="cpu")
         self.assertNotEqual(dark, plain)
 
+    def test_styles(self):
+        """An ordinary property is replaced, with its values."""
+        names, applied, look = run("""
+import limn
+from limn import vtkLimnActor, vtkLimnPolyDataMapper, vtkLimnRenderer, vtkLimnStyle
+from vtkmodules.vtkRenderingCore import vtkProperty
+print(*(vtkLimnStyle.GetStyleName(i) for i in range(vtkLimnStyle.GetNumberOfStyles())))
+actor, mapper, renderer, own = vtkLimnActor(), vtkLimnPolyDataMapper(), vtkLimnRenderer(), vtkProperty()
+own.SetColor(0.25, 0.5, 0.75)
+actor.SetMapper(mapper)
+actor.SetProperty(own)
+renderer.AddActor(actor)
+print(vtkLimnStyle.Apply(renderer, "technical"))
+look = actor.GetProperty()
+print(look.GetClassName(), look.GetToneAsString(), look.GetContourLines(), look.GetColor())
+""", ["DISPLAY"], LIMN_WINDOW="cpu")
+        self.assertEqual(names, "plain technical gooch toon blueprint pencil ink anatomy metal xray print")
+        self.assertEqual(applied, "True")
+        self.assertEqual(look, "vtkLimnProperty Gooch True (0.25, 0.5, 0.75)")
+
     def test_shaders_are_for_cpp(self):
         lines = run(
             "import limn\n"
