@@ -95,10 +95,10 @@ class RandomScene {
     kFineTranslucent,  ///< likewise as kFine
     /// As kAny or kCoarse, with every tone and outline; some textured, translucent or programmed.
     kTones,
-    kDataTones,        ///< as kAny or kCoarse, with tones over colours of data
-    kHulls,            ///< closed surfaces, coarse or as kFine, with inverted hulls
-    kLines,            ///< as kAny, kFine or kCoarse, with lines of all kinds
-    kImageLines,       ///< as kAny, kFine or kCoarse, most with lines from the picture
+    kDataTones,   ///< as kAny or kCoarse, with tones over colours of data
+    kHulls,       ///< closed surfaces, coarse or as kFine, with inverted hulls
+    kLines,       ///< as kAny, kFine or kCoarse, with lines of all kinds
+    kImageLines,  ///< as kAny, kFine or kCoarse, most with lines from the picture
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
