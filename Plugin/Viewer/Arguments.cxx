@@ -92,9 +92,9 @@ void checkLines(const SceneSettings& scene)
   {
     throw UserError("--ids-array needs --lines=ids");
   }
-  if (scene.pixelsPerInch && (!lines.width || lines.width->unit == 0))
+  if (scene.pixelsPerInch && (!lines.width || lines.width->unit == 0) && scene.style != "print")
   {
-    throw UserError("--dpi needs --stroke-width in pt or mm");
+    throw UserError("--dpi needs --stroke-width in pt or mm, or --style=print");
   }
 }
 
@@ -304,8 +304,10 @@ void addMaps(OptionList& options, MapSettings& maps)
   const auto file = [](std::string& name)
   { return [&name](const std::string&, const std::string& text) { name = text; }; };
   options.add("--output-normals", "FILE.png",
-    "normals in view space: 255 (n + 1) / 2 (right, up,\ntowards the eye)", file(maps.normals));
-  options.add("--output-depth", "FILE.png", "16 bits of grey: window depth, white is farthest",
+    "normals in view space: 255 (n + 1) / 2 (right, up,\ntowards the eye), grey where no mesh is",
+    file(maps.normals));
+  options.add("--output-depth", "FILE.png",
+    "16 bits of grey: window depth, white is farthest; of\nopaque meshes, as all maps",
     file(maps.depth));
   options.add("--output-ids", "FILE.png",
     "3 x 16 bits: red the number of the mesh, from 1 on,\n65536 green + blue its cell; black "

@@ -16,6 +16,7 @@
 #include <vtkCamera.h>
 #include <vtkMath.h>
 #include <vtkNew.h>
+#include <vtkCellData.h>
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkRenderer.h>
@@ -431,6 +432,10 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
   }
   const LineSettings& lines = settings.lines;
   vtkLimnStyle::Apply(&property, settings.style.c_str());
+  if (settings.material.opacity < 1)
+  {
+    property.SetOpacity(settings.material.opacity);
+  }
   // Of VTK's shading, which knows no light that it would be a share of.
   property.SetAmbient(settings.material.ambient ? 1 : 0);
   // Without normals of its own a mesh is as sharp as its creases are.
@@ -493,6 +498,27 @@ void requireFaces(const std::vector<Mesh>& meshes)
   }
 }
 
+/// Of cells, for lines between those that differ.
+void requireIds(const LineSettings& lines, const std::vector<Mesh>& meshes)
+{
+  if (std::find(lines.kinds.begin(), lines.kinds.end(), LineKind::Ids) == lines.kinds.end())
+  {
+    return;
+  }
+  const auto hasIds = [&lines](const Mesh& mesh)
+  {
+    vtkCellData* const data = mesh.surface->GetCellData();
+    return (lines.idArray ? data->GetArray(lines.idArray->c_str()) : data->GetScalars()) != nullptr;
+  };
+  if (std::none_of(meshes.begin(), meshes.end(), hasIds))
+  {
+    throw UserError(
+      lines.idArray
+        ? "--ids-array=" + *lines.idArray + ": no mesh has such cell data"
+        : std::string("--lines=ids: no mesh has cell scalars; name cell data with --ids-array"));
+  }
+}
+
 Subject subjectOf(const std::vector<Mesh>& meshes)
 {
   Subject subject;
@@ -537,6 +563,7 @@ void buildScene(
   const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
 {
   requireFaces(meshes);
+  requireIds(settings.lines, meshes);
   setBackground(settings, renderer);
   addLights(settings, renderer);
   addMeshes(settings, meshes, renderer);

@@ -111,6 +111,16 @@ void checkStyle(const SceneSettings& scene)
     { "--lines", !scene.lines.kinds.empty() },
     { "--reflection", material.reflection.has_value() },
     { "--model", material.localModel.has_value() },
+    { "--cool", material.cool.has_value() },
+    { "--warm", material.warm.has_value() },
+    { "--toon-steps", material.toonSteps.has_value() },
+    { "--tone-light", material.toneLight.has_value() },
+    { "--tone-over-data", material.toneOverData.has_value() },
+    { "--outline-color", material.outlineColor.has_value() },
+    { "--outline-width", material.outlineWidth.has_value() },
+    { "--outline-opacity", material.outlineOpacity.has_value() },
+    { "--fresnel", material.fresnel },
+    { "--rim", material.rim.has_value() },
   };
   for (const auto& [option, isGiven] : options)
   {
@@ -132,7 +142,7 @@ void checkIllustration(const MaterialSettings& material)
   }
   if (material.toonSteps && !isScale(material.tone) && material.tone != Tone::Toon)
   {
-    throw UserError("--toon-steps needs --tone=toon or --tone=gooch");
+    throw UserError("--toon-steps needs --tone=toon, metal or one of gooch");
   }
   if (material.toneLight && !isScale(material.tone) && material.tone != Tone::Ramp)
   {

@@ -254,9 +254,10 @@ void addIllustration(OptionList& options, SceneSettings& scene)
   MaterialSettings& material = scene.material;
   options.startGroup("Illustration");
   options.add("--style", "name",
-    "all below, and --lines, by one word: plain,\n"
-    "technical, gooch, toon, blueprint, pencil, ink,\n"
-    "anatomy, metal, xray, print (none)",
+    "tone, outline, lines and reflection by one word:\n"
+    "plain, technical, gooch, toon, blueprint, pencil,\n"
+    "ink, anatomy, metal, xray, print; width, colour and\n"
+    "the like of strokes may be named besides (none)",
     choose(scene.style, styles()));
   addTone(options, material);
   options.add("--outline", "name",
@@ -314,7 +315,8 @@ std::array<double, 2> parseDash(Text option, Text text)
   const std::vector<double> lengths = parseNumbers(option, text, 2, 2);
   if (lengths[0] <= 0 || lengths[1] <= 0 || lengths[0] + lengths[1] < 0.5)
   {
-    throw UserError(option + "=" + text + ": dash and gap have to be above 0, and half a pixel");
+    throw UserError(
+      option + "=" + text + ": dash and gap have to be above 0, and together half a pixel");
   }
   return { lengths[0], lengths[1] };
 }
@@ -350,7 +352,8 @@ void addLines(OptionList& options, SceneSettings& scene)
     into(lines.creaseAngleDegrees, parseFeatureAngle));
   options.add("--ids-array", "name", "cell data for ids (the cell scalars)",
     [&lines](Text, Text text) { lines.idArray = text; });
-  options.add("--stroke-width", "width", "as 1.5, 1.5px, 0.75pt or 0.35mm (1.5px)",
+  options.add("--stroke-width", "width",
+    "as 1.5, 1.5px, 0.75pt or 0.35mm; up to 256 pixels\n(1.5px)",
     into(lines.width, parseStrokeWidth));
   options.add("--dpi", "n", "pixels an inch of the picture, for pt and mm (72)",
     into(scene.pixelsPerInch, parsePixelsPerInch));

@@ -274,6 +274,10 @@ void Apply(vtkLimnProperty* property, const Style& style)
   {
     style.Set(property);
   }
+  else
+  {
+    property->GetInformation()->Remove(OpacityKey());
+  }
 }
 
 void SetBackground(vtkRenderer* renderer, const Style& style)
@@ -287,6 +291,10 @@ void SetBackground(vtkRenderer* renderer, const Style& style)
   const double* const rgb =
     style.Background ? style.Background->data() : information->Get(BackgroundKey());
   renderer->SetBackground(rgb[0], rgb[1], rgb[2]);
+  if (!style.Set)
+  {
+    information->Remove(BackgroundKey());
+  }
 }
 
 /// Those that Limn draws, each once, the parts of assemblies too.

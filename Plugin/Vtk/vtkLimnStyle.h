@@ -8,7 +8,8 @@
  * Apply() gives them to all actors of a renderer that Limn draws, so that an existing scene needs
  * one call. Colours, textures and data stay the actors' own. What a style has set can be changed
  * afterwards, property by property; another style starts anew from the defaults of vtkLimnProperty,
- * with the opacity and the background that were there before the first one.
+ * with the opacity and the background that were there before the first one, or the first after
+ * plain.
  *
  * - plain: as VTK draws surfaces
  * - technical: warm and cool shades, contours heavier than creases

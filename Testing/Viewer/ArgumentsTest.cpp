@@ -164,11 +164,13 @@ TEST(Arguments, AStyleTakesThePlaceOfWhatItDecidesOn)
   EXPECT_FALSE(settings.scene.background.has_value());
   EXPECT_TRUE(parseRender({}).scene.style.empty());
   for (const std::string option :
-    { "--tone=gooch", "--outline=hull", "--lines=crease", "--reflection=phong", "--model=2" })
+    { "--tone=gooch", "--outline=hull", "--lines=crease", "--reflection=phong", "--model=2",
+      "--cool=0,0,1", "--toon-steps=3", "--tone-light=upper-right", "--outline-width=3" })
   {
     EXPECT_EQ(renderErrorOf({ "--style=ink", option }),
       "--style and " + option.substr(0, option.find('=')) + " exclude each other; give one");
   }
+  EXPECT_EQ(renderErrorOf({ "--style=print", "--dpi=300" }), "");
   EXPECT_EQ(renderErrorOf({ "--style=baroque" }),
     "--style=baroque is unknown; choose one of: plain, technical, gooch, toon, blueprint, pencil, "
     "ink, anatomy, metal, xray, print");
@@ -188,7 +190,8 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=border", "--crease-angle=20" },
       "--crease-angle needs --lines=crease or --lines=contour" },
     { { "--lines=border", "--ids-array=part" }, "--ids-array needs --lines=ids" },
-    { { "--lines=border", "--dpi=300" }, "--dpi needs --stroke-width in pt or mm" },
+    { { "--lines=border", "--dpi=300" },
+      "--dpi needs --stroke-width in pt or mm, or --style=print" },
     { { "--lines=crease,edges" },
       "--lines=edges is unknown; choose one of: crease, border, non-manifold, ids, normals, "
       "contour, silhouette, ridge, valley, suggestive" },
@@ -198,7 +201,7 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
       "--stroke-width=2in is not a finite number, as in --stroke-width=1.5" },
     { { "--lines=border", "--stroke-taper=-1" }, "--stroke-taper=-1 is negative" },
     { { "--lines=border", "--stroke-dash=3,0" },
-      "--stroke-dash=3,0: dash and gap have to be above 0, and half a pixel" },
+      "--stroke-dash=3,0: dash and gap have to be above 0, and together half a pixel" },
     { { "--lines=border", "--outer-width=300" }, "--outer-width=300 is greater than 256" },
   };
   for (const auto& one : cases)
@@ -650,7 +653,7 @@ TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
     std::vector<std::string> options;
     const char* error;
   } cases[] = {
-    { { "--toon-steps=3" }, "--toon-steps needs --tone=toon or --tone=gooch" },
+    { { "--toon-steps=3" }, "--toon-steps needs --tone=toon, metal or one of gooch" },
     { { "--toon-steps=1", "--tone=toon" }, "--toon-steps=1 is not a whole number from 2 to 64" },
     { { "--toon-steps=65", "--tone=toon" }, "--toon-steps=65 is not a whole number from 2 to 64" },
     { { "--cool=0,0,1", "--tone=toon" },

@@ -9,6 +9,10 @@
 
 #include "vtkLimnProperty.h"
 
+#include "vtkPointData.h"
+#include "vtkParametricTorus.h"
+#include "vtkParametricFunctionSource.h"
+#include "vtkDataArray.h"
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
 #include "vtkPlaneSource.h"
@@ -192,6 +196,63 @@ void checkCurves()
   CHECK_EQUAL(stage.Coverage(), 0);
 }
 
+/// Of point normals that change after a frame, or before the first.
+void checkChangedNormals()
+{
+  enum class Change
+  {
+    Never,
+    Before,
+    After
+  };
+  const auto draw = [](Change change)
+  {
+    LineStage stage;
+    vtkNew<vtkParametricTorus> shape;
+    vtkNew<vtkParametricFunctionSource> torus;
+    torus->SetParametricFunction(shape);
+    torus->SetScalarModeToNone();
+    torus->Update();
+    vtkNew<vtkPolyData> data;
+    data->DeepCopy(torus->GetOutput());
+    stage.Mapper->SetInputData(data);
+    stage.Renderer->GetActiveCamera()->SetPosition(0, -10, 6);
+    stage.Renderer->GetActiveCamera()->SetFocalPoint(0, 0, 0);
+    stage.Renderer->ResetCamera();
+    stage.Property->SuggestiveLinesOn();
+    stage.Property->RidgeLinesOn();
+    stage.Property->NormalLinesOn();
+    if (change == Change::After)
+    {
+      stage.Window->Render();
+    }
+    vtkDataArray* const normals = data->GetPointData()->GetNormals();
+    for (vtkIdType i = 0; change != Change::Never && i < normals->GetNumberOfTuples(); i += 2)
+    {
+      const double* const n = normals->GetTuple3(i);
+      normals->SetTuple3(i, n[1], -n[0], n[2]);
+    }
+    normals->Modified();
+    return render(stage.Window);
+  };
+  const Picture changed = draw(Change::Before);
+  CHECK(draw(Change::After) == changed);
+  CHECK(!(draw(Change::Never) == changed));
+}
+
+/// A dash without a gap is a line.
+void checkDashAlone()
+{
+  LineStage stage;
+  stage.Mapper->SetInputData(twoSquares());
+  stage.Property->BorderLinesOn();
+  const Picture line = render(stage.Window);
+  stage.Property->SetStrokeDash(4);
+  CHECK(render(stage.Window) == line);
+  stage.Property->SetStrokeGap(4);
+  CHECK(!(render(stage.Window) == line));
+}
+
 void checkUnusableValues()
 {
   const struct
@@ -204,7 +265,16 @@ void checkUnusableValues()
       [](vtkLimnProperty* p) { p->SetStrokeWidth(std::numeric_limits<double>::quiet_NaN()); } },
     { "StrokeColor", [](vtkLimnProperty* p) { p->SetStrokeColor(0, -1, 0); } },
     { "StrokeTaper", [](vtkLimnProperty* p) { p->SetStrokeTaper(-1); } },
-    { "StrokeGap", [](vtkLimnProperty* p) { p->SetStrokeDash(3); } },
+    { "StrokeGap",
+      [](vtkLimnProperty* p)
+      {
+        p->SetStrokeDash(0.1);
+        p->SetStrokeGap(0.1);
+      } },
+    { "FeatureAngle",
+      [](vtkLimnProperty* p) { p->SetFeatureAngle(std::numeric_limits<double>::quiet_NaN()); } },
+    { "CreaseAngle",
+      [](vtkLimnProperty* p) { p->SetCreaseAngle(std::numeric_limits<double>::quiet_NaN()); } },
     { "StrokeDash", [](vtkLimnProperty* p) { p->SetStrokeDash(-3); } },
   };
   for (const auto& one : cases)
@@ -229,6 +299,8 @@ int TestLimnLines(int, char*[])
   checkCaching();
   checkContour();
   checkCurves();
+  checkChangedNormals();
+  checkDashAlone();
   checkUnusableValues();
   return result();
 }

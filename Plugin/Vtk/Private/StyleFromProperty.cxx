@@ -429,10 +429,11 @@ std::string unusableStrokeValueOf(vtkProperty* property)
     return fault(property, "StrokeWidth", width, "a finite number above 0");
   }
   const double dash = limn->GetStrokeDash();
-  if (dash > 0 && !(limn->GetStrokeGap() > 0 && dash + limn->GetStrokeGap() >= 0.5))
+  const double gap = limn->GetStrokeGap();
+  if (dash > 0 && gap > 0 && dash + gap < 0.5)
   {
-    return fault(property, "StrokeGap", limn->GetStrokeGap(),
-      "above 0 where StrokeDash is, and both together at least half a pixel");
+    return fault(
+      property, "StrokeGap", gap, "with StrokeDash together at least half a pixel, or 0");
   }
   for (const double value :
     { limn->GetStrokeColor()[0], limn->GetStrokeColor()[1], limn->GetStrokeColor()[2] })
@@ -473,7 +474,11 @@ std::string unusableValueOf(vtkProperty* property)
   const double legendSafeRange = limn ? limn->GetLegendSafeRange() : 0;
   const double outlineWidth = limn ? limn->GetOutlineWidth() : 1;
   const double outlineOpacity = limn ? limn->GetOutlineOpacity() : 1;
-  const double outlineTolerance = limn ? limn->GetOutlineDepthTolerance() : 1;
+  const bool isByImage = limn && limn->GetOutline() == vtkLimnProperty::OUTLINE_IMAGE;
+  const double outlineTolerance = isByImage ? limn->GetOutlineDepthTolerance() : 1;
+  const double outlineThreshold = limn ? limn->GetOutlineThreshold() : 0;
+  const double featureAngle = limn ? limn->GetFeatureAngle() : 0;
+  const double creaseAngle = limn ? limn->GetCreaseAngle() : 0;
   const Values all[] = {
     { "AmbientColor", { property->GetAmbientColor(), 3 } },
     { "DiffuseColor", { property->GetDiffuseColor(), 3 } },
@@ -495,6 +500,9 @@ std::string unusableValueOf(vtkProperty* property)
     { "OutlineWidth", { &outlineWidth, 1 } },
     { "OutlineOpacity", { &outlineOpacity, 1 } },
     { "OutlineDepthTolerance", { &outlineTolerance, 1 } },
+    { "OutlineThreshold", { &outlineThreshold, 1 } },
+    { "FeatureAngle", { &featureAngle, 1 } },
+    { "CreaseAngle", { &creaseAngle, 1 } },
     { "RefractiveIndex", { limn ? limn->GetRefractiveIndex() : none, 3 }, 1 },
   };
   for (const Values& one : all)

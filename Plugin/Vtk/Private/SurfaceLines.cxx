@@ -6,6 +6,7 @@
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <cstring>
@@ -53,8 +54,11 @@ LineStyle styleOf(vtkLimnProperty* property, double pixelsPerInch)
   style.width = static_cast<float>(pixelsOf(property, pixelsPerInch));
   style.outerFactor = static_cast<float>(property->GetOuterWidthFactor());
   style.taper = static_cast<float>(property->GetStrokeTaper());
-  style.dash = static_cast<float>(property->GetStrokeDash());
-  style.gap = static_cast<float>(property->GetStrokeGap());
+  if (property->GetStrokeDash() > 0 && property->GetStrokeGap() > 0)
+  {
+    style.dash = static_cast<float>(property->GetStrokeDash());
+    style.gap = static_cast<float>(property->GetStrokeGap());
+  }
   switch (property->GetHiddenLines())
   {
     case vtkLimnProperty::HIDDEN_LINES_DASHED:
@@ -98,6 +102,20 @@ bool wantsLines(vtkProperty* property)
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
   return limn && (kindsOf(limn) != 0 || limn->GetContourLines() || limn->GetSilhouetteLines() ||
                    wantsCurves(limn));
+}
+
+bool SurfaceLines::NormalsVersion::operator==(const NormalsVersion& other) const
+{
+  return values == other.values && time == other.time && source == other.source &&
+         featureDegrees == other.featureDegrees;
+}
+
+SurfaceLines::NormalsVersion SurfaceLines::normalsVersion(
+  vtkLimnProperty* property, vtkPolyData* data, const Instance& instance)
+{
+  vtkDataArray* const array = data->GetPointData()->GetNormals();
+  return { instance.attributes.vertexNormals.data(), array ? array->GetMTime() : 0,
+    property->GetVertexNormals(), property->GetFeatureAngle() };
 }
 
 bool SurfaceLines::Choice::operator==(const Choice& other) const
@@ -176,11 +194,11 @@ void SurfaceLines::weld(const MeshView& mesh)
   }
 }
 
-void SurfaceLines::updateCurvature(const Instance& instance, int threads)
+void SurfaceLines::updateCurvature(
+  const NormalsVersion& normals, const Instance& instance, int threads)
 {
   const Attributes& attributes = instance.attributes;
   const bool hasNormals = attributes.normalOfCorner.empty() && !attributes.vertexNormals.empty();
-  const void* const normals = hasNormals ? attributes.vertexNormals.data() : nullptr;
   if (!curvature_.empty() && normals == curvedNormals_)
   {
     return;
@@ -233,7 +251,10 @@ void SurfaceLines::addFeatures(vtkLimnProperty* property, vtkPolyData* data, con
   choice.creaseDegrees = property->GetCreaseAngle();
   choice.ids = hasIds ? ids : nullptr;
   choice.idsTime = hasIds ? ids->GetMTime() : 0;
-  choice.normals = property->GetNormalLines() ? instance.attributes.vertexNormals.data() : nullptr;
+  if (property->GetNormalLines())
+  {
+    choice.normals = normalsVersion(property, data, instance);
+  }
   this->updateFeatures(choice, hasIds ? ids : nullptr, instance, view.threads);
   frame.edges.push_back(features_);
   if (property->GetOuterWidthFactor() != 1)
@@ -261,10 +282,10 @@ Status SurfaceLines::addContours(
   return {};
 }
 
-void SurfaceLines::addCurves(
-  vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame)
+void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
+  const Instance& instance, FrameLines& frame)
 {
-  this->updateCurvature(instance, view.threads);
+  this->updateCurvature(normalsVersion(property, data, instance), instance, view.threads);
   const CurvedSurface surface = this->curved(instance.mesh);
   const auto extremes = [&](ExtremeKind kind, std::shared_ptr<const ContourLines>& kept)
   {
@@ -317,7 +338,7 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
   }
   if (wantsCurves(property))
   {
-    this->addCurves(property, view, instance, frame);
+    this->addCurves(property, data, view, instance, frame);
   }
   const LineStyle style = styleOf(property, view.pixelsPerInch);
   auto sets = std::make_unique<std::vector<LineSet>>();

@@ -53,13 +53,25 @@ public:
   vtkIdType edgeBuilds() const { return edgeBuilds_; }
 
 private:
+  /// Vertex normals, as the data has them or as they are computed.
+  struct NormalsVersion
+  {
+    const void* values = nullptr; ///< nullptr: none
+    vtkMTimeType time = 0;        ///< of the data's
+    int source = 0;               ///< vtkLimnProperty::VertexNormalSources
+    double featureDegrees = 0;
+
+    bool operator==(const NormalsVersion& other) const;
+  };
+  static NormalsVersion normalsVersion(
+    vtkLimnProperty* property, vtkPolyData* data, const Instance& instance);
   struct Choice
   {
     unsigned kinds = 0;
     double creaseDegrees = -1;
     const void* ids = nullptr;
     vtkMTimeType idsTime = 0;
-    const void* normals = nullptr; ///< those of the instance
+    NormalsVersion normals; ///< those of the instance
 
     bool operator==(const Choice& other) const;
   };
@@ -70,14 +82,14 @@ private:
   Status updateNormals(double creaseDegrees, const Instance& instance, int threads);
   MeshView weldedMesh(const MeshView& mesh) const;
   void weld(const MeshView& mesh);
-  void updateCurvature(const Instance& instance, int threads);
+  void updateCurvature(const NormalsVersion& normals, const Instance& instance, int threads);
   CurvedSurface curved(const MeshView& mesh) const;
   void addFeatures(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
     const Instance& instance, FrameLines& frame);
   Status addContours(
     vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
-  void addCurves(
-    vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
+  void addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
+    const Instance& instance, FrameLines& frame);
 
   vtkIdType geometry_ = -1;
   vtkIdType edgeBuilds_ = 0;
@@ -88,7 +100,7 @@ private:
   double normalsDegrees_ = -1;
   SplitNormals normals_; ///< of the welded mesh, split where lines are creases
   std::vector<Vec3f> smoothNormals_;
-  const void* curvedNormals_ = nullptr; ///< those of an instance that they are
+  NormalsVersion curvedNormals_;
   std::vector<VertexCurvature> curvature_;
   std::shared_ptr<const ContourLines> ridges_, valleys_;
 };
