@@ -106,7 +106,7 @@ float mixed(float old, float line, float a)
 
 std::uint8_t mixedByte(std::uint8_t old, float line, float a)
 {
-  return static_cast<std::uint8_t>(mixed(old, line, a) + 0.5f);
+  return static_cast<std::uint8_t>(std::floor(mixed(old, line, a) + 0.5f));
 }
 
 float fullByte(float channel)
@@ -164,7 +164,7 @@ class StrokeBlend {
   {
     std::uint32_t bits = frame_.coverage[index];
     const std::uint32_t old = bitCount(bits), open = samples_ - old;
-    const auto more = static_cast<std::uint32_t>(a * static_cast<float>(open) + 0.5f);
+    const auto more = static_cast<std::uint32_t>(std::floor(a * static_cast<float>(open) + 0.5f));
     if (old + more == 0) return false;
     // Of all samples that are covered now, the line's share.
     const float share =

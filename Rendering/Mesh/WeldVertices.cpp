@@ -102,7 +102,8 @@ std::vector<std::uint32_t> weldNear(const MeshView& mesh, double tolerance)
     const double x = std::floor(p.x / tolerance), y = std::floor(p.y / tolerance),
                  z = std::floor(p.z / tolerance);
     for (int n = 0; n < 27; ++n) {
-      const auto cell = cells.find(keyOf(x + n % 3 - 1, y + n / 3 % 3 - 1, z + n / 9 - 1));
+      const int aside = n % 3 - 1, up = n / 3 % 3 - 1, ahead = n / 9 - 1;
+      const auto cell = cells.find(keyOf(x + aside, y + up, z + ahead));
       if (cell == cells.end()) continue;
       for (const std::uint32_t other : cell->second) {
         const Vec3d apart = mesh.position(other) - p;

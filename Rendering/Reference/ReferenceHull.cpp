@@ -144,7 +144,7 @@ class View {
   const MeshView& mesh_;
   const HullEdges& edges_;
   double halfWidth_, halfHeight_;
-  Mat4d toClip_, toLocal_;
+  Mat4d toClip_, toLocal_ = {};
   bool isInvertible_;
 };
 

@@ -233,6 +233,7 @@ class Lines {
       for (Seen& seen : s.seen)
         samples.push_back(&seen);
     std::vector<Seen> old;
+    old.reserve(samples.size());
     for (const Seen* seen : samples)
       old.push_back(*seen);
     const int last = static_cast<int>(old.size()) - 1;
@@ -470,7 +471,7 @@ class Lines {
       for (int s = 0; s < scene_.samples; ++s)
         if ((frame_.coverage[index] >> s & 1) == 0) open.push_back(s);
       const int covered = scene_.samples - static_cast<int>(open.size());
-      const int more = static_cast<int>(a * static_cast<float>(open.size()) + 0.5f);
+      const int more = static_cast<int>(std::floor(a * static_cast<float>(open.size()) + 0.5f));
       if (covered + more == 0) return;
       share = (static_cast<float>(more) + a * static_cast<float>(covered)) /
               static_cast<float>(covered + more);
@@ -481,7 +482,8 @@ class Lines {
     }
     const auto mixed = [&](float old, float line) { return old + (line - old) * share; };
     const auto byte = [&](std::uint8_t old, float line) {
-      return static_cast<std::uint8_t>(mixed(old, std::min(line, 1.0f) * 255.0f) + 0.5f);
+      return static_cast<std::uint8_t>(
+          std::floor(mixed(old, std::min(line, 1.0f) * 255.0f) + 0.5f));
     };
     Rgba8& color = frame_.color[index];
     color = {byte(color.r, style.color.x), byte(color.g, style.color.y),
