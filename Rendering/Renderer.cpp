@@ -37,12 +37,12 @@ namespace {
 
 /// What a thread needs for one tile; kept from frame to frame, so that no tile allocates.
 struct TileMemory {
-  VisibilityTile visible;
-  std::vector<TileCluster> ordered;
-  FragmentList fragments;
   TileColors colors;
   FragmentShader shader;
+  VisibilityTile visible;
+  std::vector<TileCluster> ordered;
   TileFrame fresh;
+  FragmentList fragments;
 };
 
 TileMemory& tileMemory()
