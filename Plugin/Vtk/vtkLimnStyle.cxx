@@ -241,10 +241,8 @@ void Reset(vtkLimnProperty* property)
   // VTK 9.1 copies pointers to textures without counting them: they stay where they are.
   std::map<std::string, vtkTexture*> textures;
   property->GetAllTextures().swap(textures);
-  vtkNew<vtkProperty> ordinary; // keeps nothing that is Limn's
-  ordinary->DeepCopy(property);
   vtkNew<vtkLimnProperty> fresh;
-  fresh->DeepCopy(ordinary);
+  fresh->vtkProperty::DeepCopy(property); // nothing that is Limn's
   fresh->SetOpacity(FirstOpacity(property));
   fresh->SetShadingFrequency(property->GetShadingFrequency());
   fresh->SetFlatPoint(property->GetFlatPoint());

@@ -167,6 +167,13 @@ TEST_F(RenderErrors, ArrayThatTheMeshLacks)
     { "--coloring-array=height" });
 }
 
+TEST_F(RenderErrors, CellDataForLinesThatNoMeshHas)
+{
+  expectError(triangle(), { "--ids-array=part", "no mesh has such cell data" },
+    { "--lines=ids", "--ids-array=part" });
+  expectError(triangle(), { "--lines=ids", "--ids-array" }, { "--lines=ids" });
+}
+
 TEST_F(RenderErrors, OneBadMeshAmongGoodOnes)
 {
   expectError(triangle(), { "none.obj" }, { folder_.file("none.obj") });

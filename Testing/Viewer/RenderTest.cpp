@@ -87,6 +87,19 @@ TEST_F(Render, TheToneLegendIsAPictureOfItsOwn)
   EXPECT_NE(bytesOf(folder_.file("legend.png")), viridis);
 }
 
+TEST_F(Render, WhatIsNamedBesideAStyleHolds)
+{
+  const std::string xray = draw("teapot.obj", { "--style=xray" });
+  EXPECT_NE(draw("teapot.obj", { "--style=xray", "--opacity=0.9" }), xray);
+  const std::string ink = draw("teapot.obj", { "--style=ink" });
+  for (const std::string option : { "--crease-angle=3", "--stroke-width=4", "--outer-width=1",
+         "--stroke-color=1,0,0", "--stroke-opacity=0.4", "--stroke-taper=60", "--stroke-dash=6,4",
+         "--hidden-lines=thin", "--background-color=0.5,0.5,0.5" })
+  {
+    EXPECT_NE(draw("teapot.obj", { "--style=ink", option }), ink) << option;
+  }
+}
+
 TEST_F(Render, TheBytesDependOnTheSceneOnly)
 {
   const Words options = { "--tone=gooch", "--light=directional:-1,-1,-1:1,1,1" };

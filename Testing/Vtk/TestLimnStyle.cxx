@@ -157,6 +157,14 @@ void checkProperties()
   CHECK(applied(spheres.Renderer, "plain"));
   CHECK(!limn->GetContourLines() && limn->GetTone() == vtkLimnProperty::TONE_NONE);
   CHECK(spheres.Renderer->GetBackground()[0] == 0.5);
+
+  // Plain ends what is remembered of the time before the first style.
+  spheres.Renderer->SetBackground(0.25, 0.25, 0.25);
+  limn->SetOpacity(0.6);
+  CHECK(applied(spheres.Renderer, "xray"));
+  CHECK(limn->GetOpacity() != 0.6 && spheres.Renderer->GetBackground()[0] == 0);
+  CHECK(applied(spheres.Renderer, "technical"));
+  CHECK(limn->GetOpacity() == 0.6 && spheres.Renderer->GetBackground()[0] == 0.25);
 }
 }
 
