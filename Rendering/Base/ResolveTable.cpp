@@ -7,7 +7,7 @@
 namespace limn {
 namespace {
 
-constexpr double kUnit = 1 << 24;
+constexpr double kUnit = 1 << ResolveTable::kUnitBits;
 
 /// x^(1/5) by Newton's iteration, which needs only + - * /.
 double fifthRoot(double x)
@@ -43,20 +43,21 @@ ResolveTable::ResolveTable()
     linear_[byte] = gamma22Of510ths(2 * byte);
     lowerEnd_[byte] = byte == 0 ? 0 : gamma22Of510ths(2 * byte - 1);
   }
+  unsigned byte = 0;
+  for (std::uint32_t guess = 0; guess <= kGuesses; ++guess) {
+    while (byte < 255 && lowerEnd_[byte + 1] <= guess << kGuessBits)
+      ++byte;
+    firstGuess_[guess] = static_cast<std::uint8_t>(byte);
+  }
 }
 
 std::uint8_t ResolveTable::byteOfMean(std::uint32_t sum, std::uint32_t count) const
 {
-  unsigned low = 0, high = 256;
-  while (high - low > 1) {
-    const unsigned middle = (low + high) / 2;
-    // 16 * 2^24 fits an unsigned 32-bit number.
-    if (lowerEnd_[middle] * count <= sum)
-      low = middle;
-    else
-      high = middle;
-  }
-  return static_cast<std::uint8_t>(low);
+  // 16 * 2^24 fits an unsigned 32-bit number.
+  unsigned byte = firstGuess_[sum / count >> kGuessBits];
+  while (byte < 255 && lowerEnd_[byte + 1] * count <= sum)
+    ++byte;
+  return static_cast<std::uint8_t>(byte);
 }
 
 }  // namespace limn
