@@ -1,11 +1,18 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Include inside a file that is compiled once per instruction set.
+// Compiled once per instruction set by whoever includes it.
 #include "Rendering/Base/Simd.h"
 
 #include <cstdint>
 #include <cstring>
+
+#if defined(LIMN_MASK_BITS_INL_H) == defined(HWY_TARGET_TOGGLE)
+#ifdef LIMN_MASK_BITS_INL_H
+#undef LIMN_MASK_BITS_INL_H
+#else
+#define LIMN_MASK_BITS_INL_H
+#endif
 
 HWY_BEFORE_NAMESPACE();
 namespace limn::HWY_NAMESPACE {
@@ -31,3 +38,4 @@ HWY_INLINE auto maskOf(D d, std::uint64_t bits)
 
 }  // namespace limn::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
+#endif  // per-target guard

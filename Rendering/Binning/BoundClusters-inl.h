@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compiled once per instruction set by BoundClusters.cpp. One cluster a lane, in double.
+#include "Rendering/Base/Gather-inl.h"
 #include "Rendering/Base/Simd.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -45,12 +46,12 @@ struct Interval {
 struct Boxes {
   V middle[3], half[3];
 
-  Boxes(const Cluster* clusters, hn::Vec<hn::Rebind<std::int32_t, D>> index)
+  Boxes(const Cluster* clusters, const std::int32_t* index)
   {
     const hn::Rebind<float, D> df;
     for (int axis = 0; axis < 3; ++axis) {
-      const V low = hn::PromoteTo(D(), hn::GatherIndex(df, &clusters->low.x + axis, index));
-      const V high = hn::PromoteTo(D(), hn::GatherIndex(df, &clusters->high.x + axis, index));
+      const V low = hn::PromoteTo(D(), gatherLanes(df, &clusters->low.x + axis, index));
+      const V high = hn::PromoteTo(D(), gatherLanes(df, &clusters->high.x + axis, index));
       middle[axis] = hn::Mul(set(0.5), hn::Add(low, high));
       half[axis] = hn::Mul(set(0.5), hn::Sub(high, low));
     }
@@ -108,7 +109,7 @@ void boundClustersKernel(const BoundsTransform& transform, Span<const Cluster> c
     alignas(64) std::int32_t index[kMaxLanes];
     for (std::size_t lane = 0; lane < hn::Lanes(D()); ++lane)
       index[lane] = static_cast<std::int32_t>(std::min(lane, count - 1)) * kStride;
-    const Boxes boxes(&clusters[i], hn::Load(di, index));
+    const Boxes boxes(&clusters[i], index);
     const Interval w = boxes.row(transform.toClip, 3), rest = boxes.row(transform.toClip, 2);
 
     const M inFront = hn::Gt(w.low, set(0));

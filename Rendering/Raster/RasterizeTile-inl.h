@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compiled once per instruction set by RasterizeTile.cpp.
+#include "Rendering/Base/Compress-inl.h"
+#include "Rendering/Base/Gather-inl.h"
 #include "Rendering/Base/MaskBits-inl.h"
 #include "Rendering/Base/Simd.h"
 #include "Rendering/Vertex/ScreenLanes-inl.h"
@@ -83,6 +85,16 @@ bool isBehindBlock(float nearest, std::size_t samples, int block, VisibilityTile
   return nearest > tile.farthest[block];
 }
 
+/// Samples that triangles cover, not yet compared with what the tile shows there.
+struct WaitingSamples {
+  static constexpr std::size_t kCapacity = 256;
+
+  std::size_t count = 0;
+  std::int32_t place[kCapacity + 2 * kMaxLanes];  ///< from the first plane on
+  float depth[kCapacity + 2 * kMaxLanes];
+  std::uint32_t owner[kCapacity + 2 * kMaxLanes];
+};
+
 /// Where opaque triangles go: each sample keeps the nearest.
 struct OpaqueTarget : TileTarget {
   explicit OpaqueTarget(const TileTarget& target) : TileTarget(target) {}
@@ -115,36 +127,56 @@ struct OpaqueTarget : TileTarget {
     hn::Store(hn::IfThenElse(hn::RebindMask(du, nearer), hn::Set(du, owner), oldOwner), du, owners);
   }
 
-  /// Gives one sample each of some triangles, one a lane, to them, where they are the nearest.
-  HWY_INLINE void takeEach(std::size_t sample, hn::Mask<hn::ScalableTag<std::int32_t>> covered,
-                           hn::Vec<hn::ScalableTag<float>> z,
-                           hn::Vec<hn::ScalableTag<std::int32_t>> index,
-                           const std::uint32_t* owners) const
+  /// Gives one sample each of some triangles, one a lane, to them, where they are the nearest: by
+  /// and by, flush() does the rest. Takes and returns countWaiting(), so that it stays in a
+  /// register.
+  HWY_INLINE std::size_t takeEach(std::size_t sample,
+                                  hn::Mask<hn::ScalableTag<std::int32_t>> covered,
+                                  hn::Vec<hn::ScalableTag<float>> z,
+                                  hn::Vec<hn::ScalableTag<std::int32_t>> index,
+                                  hn::Vec<hn::ScalableTag<std::uint32_t>> owner,
+                                  std::size_t count) const
   {
     const hn::ScalableTag<float> df;
     const hn::ScalableTag<std::int32_t> d;
+    const hn::ScalableTag<std::uint32_t> du;
     const auto zero = hn::Zero(df);
-    float* tileDepth = tile.depth[sample];
-    std::uint32_t* tileOwner = tile.owner[sample];
     const auto inView = hn::And(hn::RebindMask(df, covered), hn::Le(z, hn::Set(df, 1.0f)));
-    // Samples of hidden triangles end here, without a branch for each that cannot be foreseen.
-    const auto behind = hn::GatherIndex(df, tileDepth, hn::IfThenElseZero(covered, index));
-    const auto visible = hn::And(inView, hn::Le(z, behind));
-    if (hn::AllFalse(df, visible)) return;
-    alignas(64) float depths[kMaxLanes];
-    alignas(64) std::int32_t indices[kMaxLanes];
-    hn::Store(hn::IfThenElse(hn::Gt(z, zero), z, zero), df, depths);
-    hn::Store(index, d, indices);
-    for (std::uint64_t bits = bitsOf(df, visible); bits != 0; bits &= bits - 1) {
-      const auto lane = static_cast<std::size_t>(hwy::Num0BitsBelowLS1Bit_Nonzero64(bits));
-      const std::int32_t pixel = indices[lane];
-      const float fresh = depths[lane], old = tileDepth[pixel];
-      if (fresh < old || (fresh == old && clusters.drawnLater(owners[lane], tileOwner[pixel]))) {
-        tileDepth[pixel] = fresh;
-        tileOwner[pixel] = owners[lane];
-      }
-    }
+    const std::uint64_t bits = bitsOf(df, inView);
+    const auto near = hn::IfThenElse(hn::Gt(z, zero), z, zero);
+    const auto plane = static_cast<std::int32_t>(sample * kTilePixels);
+    compressStoreBits(d, hn::Add(index, hn::Set(d, plane)), bits, waiting_.place + count);
+    compressStoreBits(df, near, bits, waiting_.depth + count);
+    count += compressStoreBits(du, owner, bits, waiting_.owner + count);
+    if (HWY_LIKELY(count <= WaitingSamples::kCapacity)) return count;
+    setWaiting(count);
+    flush();
+    return 0;
   }
+  std::size_t countWaiting() const { return waiting_.count; }
+  void setWaiting(std::size_t count) const { waiting_.count = count; }
+
+  /// One sample after the other, without a branch that cannot be foreseen.
+  void flush() const
+  {
+    float* const depths = tile.depth[0];
+    std::uint32_t* const owners = tile.owner[0];
+    const std::size_t count = waiting_.count;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::int32_t at = waiting_.place[i];
+      const float fresh = waiting_.depth[i], old = depths[at];
+      const std::uint32_t owner = waiting_.owner[i], oldOwner = owners[at];
+      bool nearer = fresh < old;
+      if (HWY_UNLIKELY(fresh == old)) nearer = clusters.drawnLater(owner, oldOwner);
+      const std::uint32_t mask = nearer ? ~std::uint32_t{0} : 0;
+      depths[at] = nearer ? fresh : old;
+      owners[at] = oldOwner ^ ((oldOwner ^ owner) & mask);
+    }
+    waiting_.count = 0;
+  }
+
+ private:
+  mutable WaitingSamples waiting_;
 };
 
 /// Where translucent triangles go: all of them are kept that no opaque one hides.
@@ -173,10 +205,11 @@ struct TranslucentTarget : TileTarget {
     add(d, hn::RebindMask(du, visible), visible, place, hn::Set(du, owner), z);
   }
 
-  HWY_INLINE void takeEach(std::size_t sample, hn::Mask<hn::ScalableTag<std::int32_t>> covered,
-                           hn::Vec<hn::ScalableTag<float>> z,
-                           hn::Vec<hn::ScalableTag<std::int32_t>> index,
-                           const std::uint32_t* owners) const
+  HWY_INLINE std::size_t takeEach(std::size_t sample,
+                                  hn::Mask<hn::ScalableTag<std::int32_t>> covered,
+                                  hn::Vec<hn::ScalableTag<float>> z,
+                                  hn::Vec<hn::ScalableTag<std::int32_t>> index,
+                                  hn::Vec<hn::ScalableTag<std::uint32_t>> owner, std::size_t) const
   {
     const hn::ScalableTag<float> df;
     const hn::ScalableTag<std::uint32_t> du;
@@ -185,20 +218,24 @@ struct TranslucentTarget : TileTarget {
     const auto inView = hn::And(hn::RebindMask(df, covered), hn::Le(z, hn::Set(df, 1.0f)));
     const auto behind = hn::GatherIndex(df, tile.depth[sample], hn::IfThenElseZero(covered, index));
     const auto visible = hn::And(inView, hn::Le(near, behind));
-    if (hn::AllFalse(df, visible)) return;
+    if (hn::AllFalse(df, visible)) return 0;
     const auto place = hn::Or(hn::ShiftLeft<TranslucentTile::kSampleBits>(hn::BitCast(du, index)),
                               hn::Set(du, static_cast<std::uint32_t>(sample)));
-    add(df, hn::RebindMask(du, visible), visible, place, hn::Load(du, owners), near);
+    add(df, hn::RebindMask(du, visible), visible, place, owner, near);
+    return 0;
   }
+  std::size_t countWaiting() const { return 0; }
+  void setWaiting(std::size_t) const {}
+  void flush() const {}
 
  private:
   template <class D, class M, class MU, class VU, class V>
   HWY_INLINE void add(D d, MU chosen, M visible, VU place, VU owner, V depth) const
   {
     const hn::RebindToUnsigned<D> du;
-    hn::CompressStore(place, chosen, du, translucent.placeEnd());
-    hn::CompressStore(owner, chosen, du, translucent.ownerEnd());
-    translucent.grow(hn::CompressStore(depth, visible, d, translucent.depthEnd()));
+    compressStore(du, place, chosen, translucent.placeEnd());
+    compressStore(du, owner, chosen, translucent.ownerEnd());
+    translucent.grow(compressStore(d, depth, visible, translucent.depthEnd()));
   }
 
  public:
@@ -566,12 +603,55 @@ class VertexTable {
   explicit VertexTable(const T* table) : table_(table) {}
   HWY_INLINE V operator[](Index i) const
   {
-    return hn::GatherIndex(D(), table_, i);
+    alignas(64) std::int32_t at[kMaxLanes];
+    hn::Store(i, hn::RebindToSigned<D>(), at);
+    return gatherLanes(D(), table_, at);
   }
 
  private:
   const T* table_;
 #endif
+};
+
+/// Looks up a vector of vertices in an array of kMaxClusterVertices bytes.
+class ByteTable {
+ public:
+  using D = hn::ScalableTag<std::uint8_t>;
+  using V = hn::Vec<D>;
+
+  /// Numbers below kMaxClusterVertices, and their bits 4 and 5 as signs.
+  struct Index {
+    V number;
+    hn::Vec<hn::RebindToSigned<D>> bit4, bit5;
+
+    explicit Index(V i) : number(i), bit4(signOf<3>(i)), bit5(signOf<2>(i)) {}
+
+   private:
+    template <int kShift>
+    static HWY_INLINE hn::Vec<hn::RebindToSigned<D>> signOf(V i)
+    {
+      return hn::BitCast(hn::RebindToSigned<D>(), hn::ShiftLeft<kShift>(i));
+    }
+  };
+
+  explicit ByteTable(const std::uint8_t* table)
+  {
+    for (int i = 0; i < 4; ++i)
+      quarter_[i] = hn::LoadDup128(D(), table + i * 16);
+  }
+  HWY_INLINE V operator[](const Index& i) const
+  {
+    const auto found = [&](int quarter) HWY_ATTR {
+      return hn::BitCast(hn::RebindToSigned<D>(),
+                         hn::TableLookupBytes(quarter_[quarter], i.number));
+    };
+    const auto lower = hn::IfNegativeThenElse(i.bit4, found(1), found(0));
+    const auto upper = hn::IfNegativeThenElse(i.bit4, found(3), found(2));
+    return hn::BitCast(D(), hn::IfNegativeThenElse(i.bit5, upper, lower));
+  }
+
+ private:
+  V quarter_[4];
 };
 
 /// Two 16-bit coordinates in 32 bits: x low, y high.
@@ -585,6 +665,9 @@ constexpr std::int32_t packed(std::int32_t x, std::int32_t y)
 template <class Target>
 class SmallCluster {
   static_assert(kSmallBox + 2 * kSubpixels < 1 << 15, "coordinates in a cluster fit int16");
+  /// Makes the pixels beside a cluster's vertices, relative to its box, positive.
+  static constexpr int kPixelBias = 2;
+  static_assert(kSmallBox / kSubpixels + 2 + kPixelBias < 128, "pixels of a cluster fit 7 bits");
 
  public:
   SmallCluster(const TileCluster& cluster, std::uint32_t slot, const Target& target)
@@ -601,6 +684,7 @@ class SmallCluster {
       placeInDouble(transform);
     else
       placeInFloat(transform);
+    notePixels();
   }
 
   void draw()
@@ -609,6 +693,7 @@ class SmallCluster {
     sift(sifted);
     drawFew(sifted.tiny);
     drawFew(sifted.few);
+    target_.flush();
     for (std::size_t i = 0; i < sifted.many.count; ++i)
       drawMany(static_cast<std::uint32_t>(sifted.many.triangle[i]));
   }
@@ -619,17 +704,25 @@ class SmallCluster {
   using VI = hn::Vec<hn::ScalableTag<std::int32_t>>;
   using VF = hn::Vec<hn::ScalableTag<float>>;
 
-  /// The vertices as transformVertices() has them, but relative and without what is not needed.
+  /// The vertices as transformVertices() has them, but relative and without what is not needed: of
+  /// a whole cluster none needs clipping.
   void placeInFloat(const InstanceTransform& transform)
   {
     const std::size_t first = bounds_.firstVertex;
+    const VF baseX = hn::Set(df, static_cast<float>(baseX_ * kSubpixels));
+    const VF baseY = hn::Set(df, static_cast<float>(baseY_ * kSubpixels));
+    // Adding this rounds to whole numbers, to even ones of two, which stand in the low bits. What
+    // is subtracted is whole and even, and leaves small numbers without an error.
+    const VF whole = hn::Set(df, 0x1.8p23f);
     for (std::size_t i = 0; i < bounds_.vertexCount; i += hn::Lanes(df)) {
-      const auto lanes = screenLanes(
+      const auto lanes = viewportLanes(
           df, transform,
           clipLanes(df, transform.toClipFloat, hn::LoadU(df, mesh_.x.data() + first + i),
                     hn::LoadU(df, mesh_.y.data() + first + i),
                     hn::LoadU(df, mesh_.z.data() + first + i)));
-      hn::Store(pack(d, hn::NearestInt(lanes.x), hn::NearestInt(lanes.y)), d, packed_ + i);
+      const VI x = hn::BitCast(d, hn::Add(hn::Sub(lanes.x, baseX), whole));
+      const VI y = hn::BitCast(d, hn::Add(hn::Sub(lanes.y, baseY), whole));
+      hn::Store(hn::Or(hn::And(x, hn::Set(d, 0xFFFF)), hn::ShiftLeft<16>(y)), d, packed_ + i);
       hn::Store(lanes.depth, df, depth_ + i);
     }
   }
@@ -646,22 +739,17 @@ class SmallCluster {
           low.empty() ? hn::Zero(dd) : hn::PromoteTo(dd, hn::LoadU(dhf, low.data() + first + i));
       return hn::Add(h, l);
     };
+    const auto baseX = hn::Set(dh, baseX_ * kSubpixels), baseY = hn::Set(dh, baseY_ * kSubpixels);
     for (std::size_t i = 0; i < bounds_.vertexCount; i += hn::Lanes(dd)) {
       const auto lanes =
-          screenLanes(dd, transform,
-                      clipLanes(dd, transform.toClip, load(mesh_.x, mesh_.xLow, i),
-                                load(mesh_.y, mesh_.yLow, i), load(mesh_.z, mesh_.zLow, i)));
-      const auto x = hn::DemoteTo(dh, hn::Round(lanes.x)), y = hn::DemoteTo(dh, hn::Round(lanes.y));
-      hn::Store(pack(dh, x, y), dh, packed_ + i);
+          viewportLanes(dd, transform,
+                        clipLanes(dd, transform.toClip, load(mesh_.x, mesh_.xLow, i),
+                                  load(mesh_.y, mesh_.yLow, i), load(mesh_.z, mesh_.zLow, i)));
+      const auto x = hn::Sub(hn::DemoteTo(dh, hn::Round(lanes.x)), baseX);
+      const auto y = hn::Sub(hn::DemoteTo(dh, hn::Round(lanes.y)), baseY);
+      hn::Store(hn::Or(hn::And(x, hn::Set(dh, 0xFFFF)), hn::ShiftLeft<16>(y)), dh, packed_ + i);
       hn::Store(hn::DemoteTo(dhf, lanes.depth), dhf, depth_ + i);
     }
-  }
-  template <class DI, class V>
-  HWY_INLINE V pack(DI di, V x, V y) const
-  {
-    const V relativeX = hn::Sub(x, hn::Set(di, baseX_ << kSubpixelBits));
-    const V relativeY = hn::Sub(y, hn::Set(di, baseY_ << kSubpixelBits));
-    return hn::Or(hn::And(relativeX, hn::Set(di, 0xFFFF)), hn::ShiftLeft<16>(relativeY));
   }
 
   /// A triangle in 32 bits: its number, and its corners' numbers.
@@ -686,56 +774,93 @@ class SmallCluster {
     Triangles many;
   };
 
-  /// Sorts out the triangles whose box holds a sample of the tile. The rest, most of a fine mesh,
-  /// ends here.
-  void sift(Sifted& sifted) const
+  /// Notes for each vertex the pixels beside it, in one byte an axis; see sift().
+  void notePixels()
   {
-    const hn::Rebind<std::uint8_t, decltype(d)> d8;
     const hn::Repartition<std::int16_t, decltype(d)> d16;
-    const VertexTable<std::int32_t> vertices(packed_);
+    const hn::Rebind<std::uint8_t, decltype(d)> d8;
     const auto both = [&](std::int32_t x, std::int32_t y)
                           HWY_ATTR { return hn::BitCast(d16, hn::Set(d, packed(x, y))); };
-    // Pixels relative to the base. The cluster meets the tile, so all stay far below 16 bits.
-    const auto border0 = both(target_.pixels.x0 - baseX_, target_.rows.first - baseY_);
-    const auto border1 = both(target_.pixels.x1 - 1 - baseX_, target_.rows.end - 1 - baseY_);
     const auto up = both(kSubpixels - 1 - target_.highest.x, kSubpixels - 1 - target_.highest.y);
     const auto down = both(target_.lowest.x, target_.lowest.y);
-    const auto one = both(1, 1), seven = both(7, 7);
-
-    const std::size_t first = bounds_.firstTriangle, count = bounds_.triangleCount;
-    const VI end = hn::Set(d, static_cast<std::int32_t>(count));
-    for (std::size_t t = 0; t < count; t += hn::Lanes(d)) {
-      // Behind the last triangle there are vertex numbers of some other cluster, below 64.
-      const auto load = [&](int k) HWY_ATTR {
-        return hn::PromoteTo(d, hn::LoadU(d8, mesh_.corner[k].data() + first + t));
-      };
-      const VI i0 = load(0), i1 = load(1), i2 = load(2);
-      const auto a = hn::BitCast(d16, vertices[i0]), b = hn::BitCast(d16, vertices[i1]),
-                 c = hn::BitCast(d16, vertices[i2]);
-      const auto low = hn::Min(a, hn::Min(b, c)), high = hn::Max(a, hn::Max(b, c));
-      const auto from = hn::Max(hn::ShiftRight<kSubpixelBits>(hn::Add(low, up)), border0);
-      const auto to = hn::Min(hn::ShiftRight<kSubpixelBits>(hn::Sub(high, down)), border1);
-      const auto any = [&](auto mask) HWY_ATTR {
-        return hn::Ne(hn::BitCast(d, hn::VecFromMask(d16, mask)), hn::Zero(d));
-      };
-      const VI number = hn::Iota(d, static_cast<std::int32_t>(t));
-      const auto kept = hn::AndNot(any(hn::Gt(from, to)), hn::Lt(number, end));
-      if (hn::AllFalse(d, kept)) continue;
-      const auto span = hn::Sub(to, from);
-      const auto beyondTiny = hn::And(kept, any(hn::Gt(span, one)));
-      const VI triangle = hn::Or(hn::Or(i0, hn::ShiftLeft<8>(i1)),
-                                 hn::Or(hn::ShiftLeft<16>(i2), hn::ShiftLeft<24>(number)));
-      add(triangle, hn::AndNot(beyondTiny, kept), sifted.tiny);
-      if (hn::AllFalse(d, beyondTiny)) continue;
-      const auto beyondFew = hn::And(kept, any(hn::Gt(span, seven)));
-      add(triangle, hn::AndNot(beyondFew, beyondTiny), sifted.few);
-      add(triangle, beyondFew, sifted.many);
+    const auto bias = both(2 * kPixelBias, 2 * kPixelBias);
+    for (std::size_t i = 0; i < bounds_.vertexCount; i += hn::Lanes(d)) {
+      const auto at = hn::BitCast(d16, hn::Load(d, packed_ + i));
+      const auto after = hn::ShiftRight<kSubpixelBits>(hn::Add(at, up));
+      const auto before = hn::ShiftRight<kSubpixelBits>(hn::Sub(at, down));
+      const auto sum = hn::BitCast(du, hn::Add(bias, hn::Add(after, before)));
+      hn::StoreU(hn::U8FromU32(hn::And(sum, hn::Set(du, 0xFF))), d8, pixelX_ + i);
+      hn::StoreU(hn::U8FromU32(hn::ShiftRight<16>(sum)), d8, pixelY_ + i);
     }
   }
-  static HWY_INLINE void add(VI triangle, hn::Mask<hn::ScalableTag<std::int32_t>> chosen,
-                             Triangles& to)
+
+  /// Sorts out the triangles whose box holds a sample of the tile. The rest, most of a fine mesh,
+  /// ends here.
+  ///
+  /// The first pixel with a sample not left of a vertex, f, is t or t + 1, where t is the last with
+  /// one not right of it. So f + t holds both, halved upward and downward, and as both grow with x
+  /// those of the box are those of the least and the greatest f + t.
+  void sift(Sifted& sifted) const
   {
-    to.count += hn::CompressStore(triangle, chosen, d, to.triangle + to.count);
+    const hn::ScalableTag<std::uint8_t> d8;
+    const hn::RebindToSigned<decltype(d8)> di8;
+    const ByteTable tableX(pixelX_), tableY(pixelY_);
+    // Below 128 are all pixels of the cluster, so that signed comparisons serve.
+    const auto border = [&](int pixel, std::int32_t base) HWY_ATTR {
+      const int relative = std::min(std::max(pixel - base + kPixelBias, 0), 127);
+      return hn::Set(d8, static_cast<std::uint8_t>(relative));
+    };
+    const auto x0 = border(target_.pixels.x0, baseX_), x1 = border(target_.pixels.x1 - 1, baseX_);
+    const auto y0 = border(target_.rows.first, baseY_), y1 = border(target_.rows.end - 1, baseY_);
+    const auto first = [&](auto a, auto b, auto c, auto from) HWY_ATTR {
+      const auto least = hn::Min(a, hn::Min(b, c));
+      return hn::BitCast(di8, hn::Max(hn::AverageRound(least, hn::Zero(d8)), from));
+    };
+    const auto last = [&](auto a, auto b, auto c, auto to) HWY_ATTR {
+      const auto most = hn::Max(a, hn::Max(b, c));
+      return hn::BitCast(di8, hn::Min(hn::ShiftRight<1>(most), to));
+    };
+    const std::uint8_t* const corner[3] = {mesh_.corner[0].data() + bounds_.firstTriangle,
+                                           mesh_.corner[1].data() + bounds_.firstTriangle,
+                                           mesh_.corner[2].data() + bounds_.firstTriangle};
+    const std::size_t count = bounds_.triangleCount;
+    for (std::size_t t = 0; t < count; t += hn::Lanes(d8)) {
+      // Behind the last triangle there are vertex numbers of some other cluster, below 64.
+      const ByteTable::Index i0(hn::LoadU(d8, corner[0] + t)), i1(hn::LoadU(d8, corner[1] + t)),
+          i2(hn::LoadU(d8, corner[2] + t));
+      const auto xa = tableX[i0], xb = tableX[i1], xc = tableX[i2];
+      const auto ya = tableY[i0], yb = tableY[i1], yc = tableY[i2];
+      const auto spanX = hn::Sub(last(xa, xb, xc, x1), first(xa, xb, xc, x0));
+      const auto spanY = hn::Sub(last(ya, yb, yc, y1), first(ya, yb, yc, y0));
+      const auto missed = hn::Lt(hn::Min(spanX, spanY), hn::Zero(di8));
+      const std::uint64_t real =
+          count - t < 64 ? (std::uint64_t{1} << (count - t)) - 1 : ~std::uint64_t{0};
+      const std::uint64_t kept = bitsOf(di8, hn::Not(missed)) & real;
+      if (kept == 0) continue;
+      const auto span = hn::Max(spanX, spanY);
+      const std::uint64_t beyondTiny = kept & bitsOf(di8, hn::Gt(span, hn::Set(di8, 1)));
+      add(corner, t, kept & ~beyondTiny, sifted.tiny);
+      if (beyondTiny == 0) continue;
+      const std::uint64_t beyondFew = kept & bitsOf(di8, hn::Gt(span, hn::Set(di8, 7)));
+      add(corner, t, beyondTiny & ~beyondFew, sifted.few);
+      add(corner, t, beyondFew, sifted.many);
+    }
+  }
+  /// Triangles from `first` on, one for each bit.
+  static HWY_INLINE void add(const std::uint8_t* const* corner, std::size_t first,
+                             std::uint64_t chosen, Triangles& to)
+  {
+    const hn::Rebind<std::uint8_t, decltype(d)> d8;
+    for (std::size_t t = first; chosen != 0; t += hn::Lanes(d), chosen >>= hn::Lanes(d)) {
+      const std::uint64_t here = chosen & ((std::uint64_t{1} << hn::Lanes(d)) - 1);
+      if (here == 0) continue;
+      const auto load = [&](int k)
+                            HWY_ATTR { return hn::PromoteTo(d, hn::LoadU(d8, corner[k] + t)); };
+      const VI number = hn::Iota(d, static_cast<std::int32_t>(t));
+      const VI triangle = hn::Or(hn::Or(load(0), hn::ShiftLeft<8>(load(1))),
+                                 hn::Or(hn::ShiftLeft<16>(load(2)), hn::ShiftLeft<24>(number)));
+      to.count += compressStoreBits(d, triangle, here, to.triangle + to.count);
+    }
   }
 
   /// Draws a vector of triangles at a time, pixel by pixel of their boxes.
@@ -814,7 +939,11 @@ class SmallCluster {
     }
     const VI nextRow = hn::Sub(hn::Set(d, kTileSide), spanX);
 
-    const auto depthOf = [&](VI i) HWY_ATTR { return hn::GatherIndex(df, depth_, i); };
+    const auto depthOf = [&](VI i) HWY_ATTR {
+      alignas(64) std::int32_t at[kMaxLanes];
+      hn::Store(i, d, at);
+      return gatherLanes(df, depth_, at);
+    };
     const VF z0 = depthOf(i0), zb = depthOf(i1), zc = depthOf(i2);
     const auto clockwiseF = hn::RebindMask(df, clockwise);
     const VF inverse = hn::Div(hn::Set(df, 1.0f), hn::ConvertTo(df, hn::Abs(area)));
@@ -824,11 +953,10 @@ class SmallCluster {
     const VI firstIndex =
         hn::Add(hn::Mul(hn::Sub(fromY, hn::Set(d, bottom)), hn::Set(d, kTileSide)),
                 hn::Sub(fromX, hn::Set(d, left)));
-    const VI owner = hn::Or(hn::Set(d, static_cast<std::int32_t>(TileOwner::make(slot_, 0))),
-                            hn::BitCast(d, hn::ShiftRight<24>(hn::BitCast(du, triangle))));
-    alignas(64) std::uint32_t owners[kMaxLanes];
-    hn::Store(hn::BitCast(du, owner), du, owners);
+    const auto owner = hn::Or(hn::Set(du, TileOwner::make(slot_, 0)),
+                              hn::ShiftRight<24>(hn::BitCast(du, triangle)));
 
+    std::size_t waiting = target_.countWaiting();
     for (std::size_t s = 0; s < target_.offsets.size(); ++s) {
       const VI offsetX = hn::Set(d, target_.offsets[s].x),
                offsetY = hn::Set(d, target_.offsets[s].y);
@@ -841,12 +969,11 @@ class SmallCluster {
       for (std::int32_t pixel = 0; pixel < most; ++pixel) {
         const auto inBox = hn::Gt(count, hn::Set(d, pixel));
         const auto covered = hn::And(inBox, hn::Gt(hn::Or(e0, hn::Or(e1, e2)), hn::Set(d, -1)));
-        if (!hn::AllFalse(d, covered)) {
-          const VF v1 = hn::ConvertTo(df, hn::Add(e1, least[1]));
-          const VF v2 = hn::ConvertTo(df, hn::Add(e2, least[2]));
-          const VF z = hn::Add(z0, hn::Add(hn::Mul(v1, z1), hn::Mul(v2, z2)));
-          target_.takeEach(s, covered, z, index, owners);
-        }
+        // Not asked whether any is: the answer is not to be foreseen, and costs more than the rest.
+        const VF v1 = hn::ConvertTo(df, hn::Add(e1, least[1]));
+        const VF v2 = hn::ConvertTo(df, hn::Add(e2, least[2]));
+        const VF z = hn::Add(z0, hn::Add(hn::Mul(v1, z1), hn::Mul(v2, z2)));
+        waiting = target_.takeEach(s, covered, z, index, owner, waiting);
         const auto endsRow = hn::Eq(column, zero);
         e0 = hn::Add(e0, hn::IfThenElse(endsRow, toNextRow[0], toNextPixel[0]));
         e1 = hn::Add(e1, hn::IfThenElse(endsRow, toNextRow[1], toNextPixel[1]));
@@ -855,6 +982,7 @@ class SmallCluster {
         column = hn::IfThenElse(endsRow, spanX, hn::Sub(column, one));
       }
     }
+    target_.setWaiting(waiting);
   }
 
   /// Draws one triangle, a vector of pixels at a time.
@@ -880,6 +1008,7 @@ class SmallCluster {
   std::int32_t baseX_, baseY_;  ///< whole pixels
   alignas(64) std::int32_t packed_[kMaxClusterVertices];
   alignas(64) float depth_[kMaxClusterVertices];
+  alignas(64) std::uint8_t pixelX_[kMaxClusterVertices], pixelY_[kMaxClusterVertices];
 };
 
 #endif  // HWY_TARGET != HWY_SCALAR

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compiled once per instruction set by CollectFragments.cpp.
+#include "Rendering/Base/Compress-inl.h"
 #include "Rendering/Base/MaskBits-inl.h"
 #include "Rendering/Base/Simd.h"
 
@@ -74,11 +75,10 @@ void collectOnes(const VisibilityTile& tile, int row, std::uint64_t pixels, Frag
   for (int column = 0; column < kTileSide; column += lanes) {
     const std::uint64_t bits = pixels >> column & (~std::uint64_t{0} >> (kTileSide - lanes));
     if (bits == 0) continue;
-    const auto wanted = maskOf(d, bits);
     const int first = row * kTileSide + column;
-    hn::CompressStore(hn::Load(d, tile.owner[0] + first), wanted, d,
+    compressStoreBits(d, hn::Load(d, tile.owner[0] + first), bits,
                       fragments.owner.data() + fragments.count);
-    fragments.count += hn::CompressStore(hn::Iota(d, static_cast<std::uint32_t>(first)), wanted, d,
+    fragments.count += compressStoreBits(d, hn::Iota(d, static_cast<std::uint32_t>(first)), bits,
                                          fragments.pixel.data() + fragments.count);
   }
 }

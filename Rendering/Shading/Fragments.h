@@ -56,6 +56,7 @@ struct alignas(64) FragmentBatch {
   Vectors faceNormal;               ///< local; for flat frequency
   Vectors color;                    ///< the result, before clamping
   float alpha[kCapacity];           ///< by fadeFragments()
+  bool anyNeedsClip = false;        ///< by placeFragments()
   int count = 0;                    ///< last, so that every array starts at a multiple of 64 bytes
 };
 

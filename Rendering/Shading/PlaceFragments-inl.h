@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Compiled once per instruction set by PlaceFragments.cpp.
+#include "Rendering/Base/Gather-inl.h"
 #include "Rendering/Base/Simd.h"
 #include "Rendering/Vertex/ScreenLanes-inl.h"
 
@@ -51,8 +52,9 @@ class Gatherer {
       const VI triangle = indices(mesh_.triangle.data(), hn::Load(DI(), place_ + i));
       const VI cell = data_.cells.empty() ? triangle : indices(data_.cells.data(), triangle);
       if (cellColors) storeColor(data_.cellColors.data(), cell, 0, i);
-      if (normals_ == NormalSource::kCell)
-        storeVectors(data_.cellNormals.data(), cell, batch_.cornerNormal[0], i);
+      if (normals_ != NormalSource::kCell) continue;
+      hn::Store(cell, DI(), normal_[0] + i);
+      storeVectors(data_.cellNormals.data(), normal_[0] + i, batch_.cornerNormal[0], i);
     }
   }
 
@@ -61,25 +63,23 @@ class Gatherer {
   void findCorners(std::size_t i)
   {
     const VI owner = hn::BitCast(DI(), hn::Load(hn::RebindToUnsigned<DI>(), batch_.owner + i));
-    const VI slot = hn::ShiftRight<TileOwner::kTriangleBits>(owner);
     const VI number = hn::And(owner, hn::Set(DI(), (1 << TileOwner::kTriangleBits) - 1));
-    const VI entry = hn::Mul(
-        slot, hn::Set(DI(), static_cast<std::int32_t>(sizeof(TileCluster) / sizeof(std::int32_t))));
-    const VI place = hn::Add(indices(&clusters_.list[0].bounds.firstTriangle, entry), number);
-    const VI firstVertex = indices(&clusters_.list[0].bounds.firstVertex, entry);
-    hn::Store(place, DI(), place_ + i);
+    constexpr int kStride = sizeof(TileCluster) / sizeof(std::int32_t);
+    hn::Store(hn::Mul(hn::ShiftRight<TileOwner::kTriangleBits>(owner), hn::Set(DI(), kStride)),
+              DI(), place_ + i);
+    const VI firstVertex = indices(&clusters_.list[0].bounds.firstVertex, place_ + i);
+    const VI firstTriangle = indices(&clusters_.list[0].bounds.firstTriangle, place_ + i);
+    hn::Store(hn::Add(firstTriangle, number), DI(), place_ + i);
     for (int k = 0; k < 3; ++k) {
-      // Reads the three bytes behind too, which the spare elements allow.
-      const VI corner = hn::GatherOffset(
-          DI(), reinterpret_cast<const std::int32_t*>(mesh_.corner[k].data()), place);
-      hn::Store(hn::Add(firstVertex, hn::And(corner, hn::Set(DI(), 0xFF))), DI(), corner_[k] + i);
+      const VI corner = gatherBytes(DI(), mesh_.corner[k].data(), place_ + i);
+      hn::Store(hn::Add(firstVertex, corner), DI(), corner_[k] + i);
     }
   }
   /// Numbers of the corners in the caller's mesh, and of their normals.
   void findVertices(std::size_t i)
   {
     for (int k = 0; k < 3; ++k) {
-      const VI vertex = indices(mesh_.vertex.data(), hn::Load(DI(), corner_[k] + i));
+      const VI vertex = indices(mesh_.vertex.data(), corner_[k] + i);
       hn::Store(vertex, DI(), vertex_[k] + i);
       if (normals_ != NormalSource::kVertex) continue;
       hn::Store(splitNormals_ ? normalsOfCorners(k, i) : vertex, DI(), normal_[k] + i);
@@ -95,9 +95,9 @@ class Gatherer {
   }
   HWY_INLINE void gatherPositions(int k, std::size_t i) const
   {
-    const VI at = hn::Load(DI(), corner_[k] + i);
+    const std::int32_t* const at = corner_[k] + i;
     const auto store = [&](const Array<float>& from, float* to) HWY_ATTR {
-      hn::Store(hn::GatherIndex(DF(), from.data(), at), DF(), to + i);
+      hn::Store(gatherLanes(DF(), from.data(), at), DF(), to + i);
     };
     store(mesh_.x, batch_.corner[k].x);
     store(mesh_.y, batch_.corner[k].y);
@@ -111,8 +111,7 @@ class Gatherer {
   {
     const VI vertex = hn::Load(DI(), vertex_[k] + i);
     if (normals_ == NormalSource::kVertex)
-      storeVectors(data_.vertexNormals.data(), hn::Load(DI(), normal_[k] + i),
-                   batch_.cornerNormal[k], i);
+      storeVectors(data_.vertexNormals.data(), normal_[k] + i, batch_.cornerNormal[k], i);
     if (!data_.vertexColors.empty()) storeColor(data_.vertexColors.data(), vertex, k, i);
     if (uv_.set[0]) storePairs(data_.uv.data(), vertex, batch_.cornerUv[0][k], i);
     if (uv_.set[1]) storePairs(data_.uv2.data(), vertex, batch_.cornerUv[1][k], i);
@@ -122,15 +121,25 @@ class Gatherer {
   {
     return hn::GatherIndex(DI(), reinterpret_cast<const std::int32_t*>(from), index);
   }
-
-  static HWY_INLINE void storeVectors(const Vec3f* from, VI index, FragmentBatch::Vectors& to,
-                                      std::size_t i)
+  static HWY_INLINE VI indices(const std::uint32_t* from, const std::int32_t* index)
   {
-    const VI first = hn::Add(index, hn::Add(index, index));
-    const float* floats = &from->x;
-    hn::Store(hn::GatherIndex(DF(), floats, first), DF(), to.x + i);
-    hn::Store(hn::GatherIndex(DF(), floats + 1, first), DF(), to.y + i);
-    hn::Store(hn::GatherIndex(DF(), floats + 2, first), DF(), to.z + i);
+    return gatherLanes(DI(), reinterpret_cast<const std::int32_t*>(from), index);
+  }
+
+  static HWY_INLINE void storeVectors(const Vec3f* from, const std::int32_t* index,
+                                      FragmentBatch::Vectors& to, std::size_t i)
+  {
+    const auto store = [&](const float* floats, float* component) HWY_ATTR {
+      const auto threefold = [&]() HWY_ATTR {
+        const VI at = hn::Load(DI(), index);
+        return hn::Add(at, hn::Add(at, at));
+      };
+      const auto firstOf = [&](std::size_t lane) { return std::ptrdiff_t{3} * index[lane]; };
+      hn::Store(gatherLanes(DF(), floats, firstOf, threefold), DF(), component + i);
+    };
+    store(&from->x, to.x);
+    store(&from->y, to.y);
+    store(&from->z, to.z);
   }
 
   static HWY_INLINE void storePairs(const Vec2f* from, VI index, FragmentBatch::Pairs& to,
@@ -182,6 +191,7 @@ void placeInFloat(const InstanceTransform& transform, FragmentBatch& batch)
   const hn::ScalableTag<float> d;
   const hn::RebindToSigned<decltype(d)> di;
   const auto count = static_cast<std::size_t>(batch.count);
+  auto any = hn::Zero(di);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     auto clip = hn::Zero(di);
     for (int k = 0; k < 3; ++k) {
@@ -195,7 +205,9 @@ void placeInFloat(const InstanceTransform& transform, FragmentBatch& batch)
       clip = hn::Or(clip, hn::BitCast(di, hn::VecFromMask(d, lanes.needsClip)));
     }
     hn::Store(clip, di, batch.needsClip + i);
+    any = hn::Or(any, clip);
   }
+  batch.anyNeedsClip = !hn::AllTrue(di, hn::Eq(any, hn::Zero(di)));
 }
 
 void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch)
@@ -211,6 +223,7 @@ void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch)
     return hn::Add(hn::PromoteTo(d, hn::Load(df, high)), l);
   };
   const auto count = static_cast<std::size_t>(batch.count);
+  V any = hn::Zero(d);
   for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
     V clip = hn::Zero(d), x0 = clip, y0 = clip, z0 = clip;
     for (int k = 0; k < 3; ++k) {
@@ -237,7 +250,9 @@ void placeInDouble(const InstanceTransform& transform, FragmentBatch& batch)
       hn::Store(hn::DemoteTo(df, hn::Sub(z, z0)), df, batch.edge[k - 1].z + i);
     }
     hn::Store(hn::DemoteTo(di, clip), di, batch.needsClip + i);
+    any = hn::Or(any, clip);
   }
+  batch.anyNeedsClip = !hn::AllTrue(d, hn::Eq(any, hn::Zero(d)));
 }
 
 /// Edge values in double: below 2^50, so every step but the last, to float, is exact.

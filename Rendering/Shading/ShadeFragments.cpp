@@ -7,6 +7,7 @@
 #include "Rendering/Shading/ShadingOffsets.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace limn {
@@ -163,6 +164,25 @@ class BatchFiller {
   FragmentBatch& batch_;
 };
 
+/// Whether ascending numbers leave none out.
+bool isRun(Span<const std::uint32_t> numbers)
+{
+  return numbers[numbers.size() - 1] - numbers[0] == numbers.size() - 1;
+}
+
+/// setPoint() of one sample a pixel.
+void setCentres(FragmentBatch& batch, Span<const std::uint32_t> pixels,
+                Span<const std::uint32_t> numbers)
+{
+  if (isRun(numbers))
+    std::copy_n(pixels.data() + numbers[0], numbers.size(), batch.pixel);
+  else
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      batch.pixel[i] = static_cast<std::int32_t>(pixels[numbers[i]]);
+  std::fill_n(batch.pointX, numbers.size(), kPixelCentre.x);
+  std::fill_n(batch.pointY, numbers.size(), kPixelCentre.y);
+}
+
 bool isProgrammed(const PlacedInstance& placed)
 {
   return placed.instance->style.surfaceShader != nullptr;
@@ -218,9 +238,14 @@ void FragmentShader::forEachBatch(const TileClusters& clusters, Span<const std::
       while (placedOf(end - 1) != &placed)
         --end;
     std::uint32_t numbers[FragmentBatch::kCapacity];
-    for (std::size_t i = first; i < end; ++i) {
-      numbers[i - first] = numberOf(i);
-      batch_.owner[i - first] = owners[numberOf(i)];
+    if (isOrdered)
+      for (std::size_t i = first; i < end; ++i) {
+        numbers[i - first] = order_[i];
+        batch_.owner[i - first] = owners[order_[i]];
+      }
+    else {
+      std::iota(numbers, numbers + (end - first), static_cast<std::uint32_t>(first));
+      std::copy(&owners[first], &owners[first] + (end - first), batch_.owner);
     }
     batch_.count = static_cast<int>(end - first);
     shade(placed, Span<const std::uint32_t>(numbers, end - first));
@@ -244,6 +269,7 @@ void FragmentShader::fillBatch(const TileClusters& clusters, const PlacedInstanc
 
 void FragmentShader::placeClippedFragments(const TileClusters& clusters)
 {
+  if (!batch_.anyNeedsClip) return;
   for (int i = 0; i < batch_.count; ++i) {
     if (batch_.needsClip[i] == 0) continue;
     const PlacedCluster& cluster = clusters.at(TileOwner::slot(batch_.owner[i]));
@@ -280,9 +306,11 @@ void FragmentShader::forEachLit(const TileClusters& clusters, const TileRectangl
 {
   const ShadingOffsets offsets(samples);
   forEachBatch(clusters, places.owner, [&](const PlacedInstance& placed, auto numbers) {
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      setPoint(batch_, i, places.pixel[numbers[i]],
-               samples == 1 ? kPixelCentre : offsets[places.coverage[numbers[i]]]);
+    if (samples == 1)
+      setCentres(batch_, places.pixel, numbers);
+    else
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        setPoint(batch_, i, places.pixel[numbers[i]], offsets[places.coverage[numbers[i]]]);
     fillBatch(clusters, placed, pixels);
     placeClippedFragments(clusters);
     if (isProgrammed(placed))
@@ -352,8 +380,11 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   forEachLit(clusters, pixels, samples, places, [&](const PlacedInstance& placed, auto numbers) {
     Rgba8 shaded[FragmentBatch::kCapacity];
     quantizeFragments(batch_, shaded);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-      colors.fragment[numbers[i]] = shaded[i];
+    if (isRun(numbers))
+      std::copy_n(shaded, numbers.size(), &colors.fragment[numbers[0]]);
+    else
+      for (std::size_t i = 0; i < numbers.size(); ++i)
+        colors.fragment[numbers[i]] = shaded[i];
     if (colors.hasRadiance) keepRadiance(numbers, colors.fragmentRadiance);
     if (colors.hasNormals) {
       findNormals({clusters.scene, &placed}, batch_);

@@ -34,7 +34,28 @@ HWY_INLINE ClipLanes<D> clipLanes(D d, const Mat4<T>& m, V x, V y, V z)
   return {row(0), row(1), row(2), row(3)};
 }
 
-/// Viewport coordinates before rounding; lanes that need clipping are zero.
+/// Viewport coordinates before rounding.
+template <class D, class V = hn::Vec<D>>
+struct ViewportLanes {
+  V x, y, depth, inverseW;
+};
+
+template <class D>
+HWY_INLINE ViewportLanes<D> viewportLanes(D d, const InstanceTransform& transform,
+                                          ClipLanes<D> clip)
+{
+  using T = hn::TFromD<D>;
+  using V = hn::Vec<D>;
+  const V half = hn::Set(d, T(0.5));
+  const V sx = hn::Set(d, static_cast<T>(transform.subpixelsX));
+  const V sy = hn::Set(d, static_cast<T>(transform.subpixelsY));
+  const V inverseW = hn::Div(hn::Set(d, T(1)), clip.w);
+  return {hn::Add(hn::Mul(hn::Mul(clip.x, inverseW), sx), sx),
+          hn::Add(hn::Mul(hn::Mul(clip.y, inverseW), sy), sy),
+          hn::Add(hn::Mul(hn::Mul(clip.z, inverseW), half), half), inverseW};
+}
+
+/// Likewise; lanes that need clipping are zero.
 template <class D, class V = hn::Vec<D>>
 struct ScreenLanes {
   V x, y, depth, inverseW;
@@ -46,20 +67,14 @@ HWY_INLINE ScreenLanes<D> screenLanes(D d, const InstanceTransform& transform, C
 {
   using T = hn::TFromD<D>;
   using V = hn::Vec<D>;
-  const V zero = hn::Zero(d), half = hn::Set(d, T(0.5));
-  const V guard = hn::Set(d, static_cast<T>(kGuardSubpixels));
-  const V sx = hn::Set(d, static_cast<T>(transform.subpixelsX));
-  const V sy = hn::Set(d, static_cast<T>(transform.subpixelsY));
-  const V inverseW = hn::Div(hn::Set(d, T(1)), clip.w);
-  const V x = hn::Add(hn::Mul(hn::Mul(clip.x, inverseW), sx), sx);
-  const V y = hn::Add(hn::Mul(hn::Mul(clip.y, inverseW), sy), sy);
+  const V zero = hn::Zero(d), guard = hn::Set(d, static_cast<T>(kGuardSubpixels));
+  const ViewportLanes<D> at = viewportLanes(d, transform, clip);
   const auto inFront = hn::And(hn::Ge(hn::Add(clip.z, clip.w), zero),
                                hn::Ge(clip.w, hn::Set(d, static_cast<T>(kSmallestW))));
-  const auto inGuard = hn::And(hn::Le(hn::Abs(x), guard), hn::Le(hn::Abs(y), guard));
+  const auto inGuard = hn::And(hn::Le(hn::Abs(at.x), guard), hn::Le(hn::Abs(at.y), guard));
   const auto drawable = hn::And(inFront, inGuard);
-  const V depth = hn::Add(hn::Mul(hn::Mul(clip.z, inverseW), half), half);
-  return {hn::IfThenElseZero(drawable, x), hn::IfThenElseZero(drawable, y),
-          hn::IfThenElseZero(drawable, depth), hn::IfThenElseZero(drawable, inverseW),
+  return {hn::IfThenElseZero(drawable, at.x), hn::IfThenElseZero(drawable, at.y),
+          hn::IfThenElseZero(drawable, at.depth), hn::IfThenElseZero(drawable, at.inverseW),
           hn::Not(drawable)};
 }
 
