@@ -630,7 +630,14 @@ class ByteTable {
     template <int kShift>
     static HWY_INLINE hn::Vec<hn::RebindToSigned<D>> signOf(V i)
     {
-      return hn::BitCast(hn::RebindToSigned<D>(), hn::ShiftLeft<kShift>(i));
+      const hn::RebindToSigned<D> d;
+      const auto sign = hn::BitCast(d, hn::ShiftLeft<kShift>(i));
+#if HWY_TARGET == HWY_SSSE3
+      // Highway 1.0.3 takes each bit there for its own sign.
+      return hn::VecFromMask(d, hn::Lt(sign, hn::Zero(d)));
+#else
+      return sign;
+#endif
     }
   };
 
