@@ -59,10 +59,11 @@ struct EdgeContours {
 class ContourFinder {
  public:
   ContourFinder(const MeshView& mesh, const EdgeTable& table, const FeatureArrays& arrays,
-                const Camera& camera, const Mat4d& modelToWorld)
+                const Camera& camera, const Mat4d& modelToWorld, bool isSmooth)
       : mesh_(mesh),
         table_(table),
         arrays_(arrays),
+        isSmooth_(isSmooth),
         facing_(mesh, camera, modelToWorld),
         isParallel_(camera.parallel),
         eye_(eyeOf(camera.worldToView * modelToWorld, camera.parallel))
@@ -97,7 +98,7 @@ class ContourFinder {
         normal(sides[0], 0) == normal(sides[1], 0) && normal(sides[0], 1) == normal(sides[1], 1);
     if (isSmooth) {
       if (!sides[0].crosses()) return;
-      const std::uint32_t point = addPoint(edge, found, crossing(edge, sides[0], true).second);
+      const std::uint32_t point = addPoint(edge, found, crossing(edge, sides[0], isSmooth_).second);
       for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
         found.passages.push_back({edge.corner[f] / 3, point});
       return;
@@ -115,6 +116,7 @@ class ContourFinder {
   /// behind the surface itself.
   bool bulges(std::uint32_t triangle) const
   {
+    if (!isSmooth_) return false;
     Vec3d p[3];
     double g[3];
     for (std::uint32_t k = 0; k < 3; ++k) {
@@ -195,7 +197,8 @@ class ContourFinder {
     constexpr int kHalvings = 40;
     for (int i = 0; i < kHalvings; ++i) {
       const double t = 0.5 * (low + high), s = 1 - t;
-      const Vec3d n = (n0 * (s * s) + middle * (2 * s * t)) + n1 * (t * t);
+      const Vec3d n =
+          isSmooth_ ? (n0 * (s * s) + middle * (2 * s * t)) + n1 * (t * t) : n0 * s + n1 * t;
       const bool isFront = slope(place(t), n) >= 0;
       (isFront == side.isFront[0] ? low : high) = t;
     }
@@ -239,6 +242,7 @@ class ContourFinder {
   const MeshView& mesh_;
   const EdgeTable& table_;
   const FeatureArrays& arrays_;
+  bool isSmooth_;
   Facing facing_;
   bool isParallel_;
   Vec3d eye_;
@@ -263,14 +267,14 @@ class ContourAssembler {
                         along.bIsPlace});
   }
 
-  ContourLines assemble(const ContourFinder& finder)
+  ContourLines assemble(const ContourFinder& finder, std::uint8_t flag)
   {
     lines_.slack.assign(lines_.points.size(), 0.0f);
     linkTriangles(finder);
     linkEdges();
     lines_.slack.resize(lines_.points.size(), 0.0f);
     chainLinks(links_, lines_.points.size(), lines_.chains, nullptr);
-    lines_.chains.flags.assign(lines_.chains.vertex.size(), kOuterLine);
+    lines_.chains.flags.assign(lines_.chains.vertex.size(), flag);
     return std::move(lines_);
   }
 
@@ -319,6 +323,22 @@ class ContourAssembler {
   std::vector<LineLink> links_;
 };
 
+ContourLines findContours(ContourFinder finder, const MeshView& mesh, const EdgeTable& table,
+                          std::uint8_t flag, int threads)
+{
+  finder.findFronts(threads);
+  std::vector<EdgeContours> found(taskCount(table.edges.size()));
+  forEachStretch(threads, table.edges.size(),
+                 [&](std::size_t task, std::size_t first, std::size_t end) {
+                   for (std::size_t e = first; e < end; ++e)
+                     finder.add(table.edges[e], found[task]);
+                 });
+  ContourAssembler assembler(mesh);
+  for (const EdgeContours& some : found)
+    assembler.add(some);
+  return assembler.assemble(finder, flag);
+}
+
 }  // namespace
 
 EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const Camera& camera,
@@ -339,18 +359,16 @@ ContourLines smoothContours(const MeshView& mesh, const EdgeTable& table,
                             const FeatureArrays& arrays, const Camera& camera,
                             const Mat4d& modelToWorld, int threads)
 {
-  ContourFinder finder(mesh, table, arrays, camera, modelToWorld);
-  finder.findFronts(threads);
-  std::vector<EdgeContours> found(taskCount(table.edges.size()));
-  forEachStretch(threads, table.edges.size(),
-                 [&](std::size_t task, std::size_t first, std::size_t end) {
-                   for (std::size_t e = first; e < end; ++e)
-                     finder.add(table.edges[e], found[task]);
-                 });
-  ContourAssembler assembler(mesh);
-  for (const EdgeContours& some : found)
-    assembler.add(some);
-  return assembler.assemble(finder);
+  return findContours(ContourFinder(mesh, table, arrays, camera, modelToWorld, true), mesh, table,
+                      kOuterLine, threads);
+}
+
+ContourLines facetContours(const MeshView& mesh, const EdgeTable& table,
+                           const FeatureArrays& arrays, const Camera& camera,
+                           const Mat4d& modelToWorld, int threads)
+{
+  return findContours(ContourFinder(mesh, table, arrays, camera, modelToWorld, false), mesh, table,
+                      0, threads);
 }
 
 }  // namespace limn

@@ -37,4 +37,10 @@ ContourLines smoothContours(const MeshView& mesh, const EdgeTable& table,
                             const FeatureArrays& arrays, const Camera& camera,
                             const Mat4d& modelToWorld, int threads);
 
+/// The same in the facets themselves, n and b linear along an edge, as Phong's shading has them.
+/// Not kOuterLine, and without slack.
+ContourLines facetContours(const MeshView& mesh, const EdgeTable& table,
+                           const FeatureArrays& arrays, const Camera& camera,
+                           const Mat4d& modelToWorld, int threads);
+
 }  // namespace limn

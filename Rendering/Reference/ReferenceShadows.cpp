@@ -1,0 +1,373 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Reference/ReferenceShadows.h"
+
+#include "Rendering/Base/Power.h"
+#include "Rendering/Mesh/LocalPosition.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn::reference {
+namespace {
+
+/// In the half plane of an edge.
+struct Line {
+  double u0, w0, u1, w1;
+  std::uint32_t triangle;
+
+  double w(double u) const
+  {
+    if (u == u0) return w0;
+    if (u == u1) return w1;
+    return w0 + (w1 - w0) * ((u - u0) / (u1 - u0));
+  }
+  void cutAt(double low, double high)
+  {
+    const Line whole = *this;
+    if (u0 < low) {
+      w0 = whole.w(low);
+      u0 = low;
+    }
+    if (u1 > high) {
+      w1 = whole.w(high);
+      u1 = high;
+    }
+  }
+};
+
+class Edge {
+ public:
+  Edge(const WorldMesh& world, const LightRays& light, std::uint32_t number)
+      : world_(world),
+        light_(light),
+        edge_(world.edges[number]),
+        a_(world.points[edge_.point[0]]),
+        b_(world.points[edge_.point[1]]),
+        e_(b_ - a_)
+  {
+  }
+
+  /// What it casts, if anything.
+  void cast(std::uint32_t number, double creaseDegrees, std::vector<ShadowPiece>& pieces) const
+  {
+    double low, high;
+    if (isAlongRays() || !isFold() || !coneHolds(low, high)) return;
+    std::vector<Line> lines;
+    for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
+      if (Line line;
+          !world_.isBroken(t) && !isAtEdge(t) && cut(t, line) && line.u1 > low && line.u0 < high) {
+        line.cutAt(low, high);
+        lines.push_back(line);
+      }
+    std::vector<double> stops;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      stops.push_back(lines[i].u0);
+      stops.push_back(lines[i].u1);
+      for (std::size_t j = 0; j < i; ++j)
+        addCrossing(lines[j], lines[i], stops);
+    }
+    std::sort(stops.begin(), stops.end());
+    const Line* before = nullptr;
+    double since = 0;
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      if (!(stops[i] < stops[i + 1])) continue;
+      const Line* const first = largestOn(stops[i], stops[i + 1], lines);
+      if (first != before) {
+        if (before != nullptr && !isBeside(before->triangle, creaseDegrees))
+          add(number, *before, since, stops[i], pieces);
+        before = first;
+        since = stops[i];
+      }
+    }
+    if (before != nullptr && !isBeside(before->triangle, creaseDegrees))
+      add(number, *before, since, stops.back(), pieces);
+  }
+
+ private:
+  Vec3d planeNormal() const
+  {
+    if (light_.isParallel) return cross(e_, -light_.source);
+    return cross(a_ - light_.source, b_ - light_.source);
+  }
+  double side(Vec3d p) const { return dot(planeNormal(), p - a_); }
+  bool isAlongRays() const
+  {
+    constexpr double kLeast = 1e-12 * 1e-12;
+    if (light_.isParallel) {
+      const Vec3d d = -light_.source, across = e_ - d * dot(e_, d);
+      return !(dot(across, across) > kLeast * dot(e_, e_)) || !(dot(across, across) < HUGE_VAL);
+    }
+    const Vec3d toA = a_ - light_.source, toB = b_ - light_.source, n = planeNormal();
+    return !(dot(n, n) > kLeast * (dot(toA, toA) * dot(toB, toB))) || !(dot(n, n) < HUGE_VAL);
+  }
+  Vec3d third(int face) const
+  {
+    for (const std::uint32_t v : world_.triangles[edge_.triangle[face]].vertex)
+      if (v != edge_.point[0] && v != edge_.point[1]) return world_.points[v];
+    return a_;
+  }
+  bool isBorder() const { return edge_.triangle[1] == kNoCorner; }
+  bool isFold() const { return isBorder() || (side(third(0)) >= 0) == (side(third(1)) >= 0); }
+
+  Vec3d normal(std::uint32_t t) const
+  {
+    return normalized(cross(world_.corner(t, 1) - world_.corner(t, 0),
+                            world_.corner(t, 2) - world_.corner(t, 0)));
+  }
+  bool touch(std::uint32_t s, std::uint32_t t) const
+  {
+    for (const std::uint32_t p : world_.triangles[s].vertex)
+      for (const std::uint32_t q : world_.triangles[t].vertex)
+        if (p == q) return true;
+    return false;
+  }
+  bool hasPoint(std::uint32_t t, std::uint32_t p) const
+  {
+    const auto& v = world_.triangles[t].vertex;
+    return std::count(v, v + 3, p) > 0;
+  }
+  bool isAtEdge(std::uint32_t t) const
+  {
+    return hasPoint(t, edge_.point[0]) && hasPoint(t, edge_.point[1]);
+  }
+  /// Whether it is of one smooth surface with the edge's faces, and next to them.
+  bool isBeside(std::uint32_t t, double creaseDegrees) const
+  {
+    if (isBorder() || world_.body[t] != world_.body[edge_.triangle[0]]) return false;
+    const double bound = cosineOfDegrees(creaseDegrees);
+    const Vec3d first = normal(edge_.triangle[0]);
+    const Vec3d second = normal(edge_.triangle[1]) * (edge_.isWoundAlike ? 1.0 : -1.0);
+    if (dot(first, second) < bound) return false;
+    if (!touch(t, edge_.triangle[0]) && !touch(t, edge_.triangle[1])) return false;
+    return dot(normal(t), first) >= bound || dot(normal(t), second) >= bound;
+  }
+
+  /// u and w of the straight line in which the half plane cuts a triangle.
+  bool cut(std::uint32_t t, Line& line) const
+  {
+    const auto& v = world_.triangles[t].vertex;
+    std::vector<Vec3d> ends;
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t from = std::min(v[k], v[(k + 1) % 3]);
+      const std::uint32_t to = std::max(v[k], v[(k + 1) % 3]);
+      const Vec3d p = world_.points[from], q = world_.points[to];
+      if ((side(p) >= 0) != (side(q) >= 0))
+        ends.push_back(p + (q - p) * (side(p) / (side(p) - side(q))));
+    }
+    if (ends.size() != 2) return false;
+    line.triangle = t;
+    if (light_.isParallel) {
+      placeParallel(ends[0], line.u0, line.w0);
+      placeParallel(ends[1], line.u1, line.w1);
+    } else if (!placeFromPoint(ends[0], ends[1], line)) {
+      return false;
+    }
+    if (line.u0 > line.u1) line = {line.u1, line.w1, line.u0, line.w0, t};
+    return line.u0 < line.u1;
+  }
+  void placeParallel(Vec3d x, double& u, double& w) const
+  {
+    const Vec3d d = -light_.source, across = e_ - d * dot(e_, d);
+    u = dot(x - a_, across) / dot(across, across);
+    w = u * dot(e_, d) - dot(x - a_, d);
+  }
+  bool placeFromPoint(Vec3d from, Vec3d to, Line& line) const
+  {
+    const Vec3d toA = a_ - light_.source, toB = b_ - light_.source, n = planeNormal();
+    // x = L + alpha (A - L) + beta (B - L), and alpha + beta grows from the light.
+    const auto alpha = [&](Vec3d x) { return dot(cross(x - light_.source, toB), n) / dot(n, n); };
+    const auto beta = [&](Vec3d x) { return dot(cross(toA, x - light_.source), n) / dot(n, n); };
+    double p[2] = {alpha(from), beta(from)}, q[2] = {alpha(to), beta(to)};
+    const double sP = p[0] + p[1], sQ = q[0] + q[1];
+    if (sP < kShadowNear && sQ < kShadowNear) return false;
+    const double t = (kShadowNear - sP) / (sQ - sP);
+    const double cut[2] = {p[0] + t * (q[0] - p[0]), p[1] + t * (q[1] - p[1])};
+    if (sP < kShadowNear) std::copy(cut, cut + 2, p);
+    if (sQ < kShadowNear) std::copy(cut, cut + 2, q);
+    line.u0 = p[1] / (p[0] + p[1]);
+    line.u1 = q[1] / (q[0] + q[1]);
+    line.w0 = 1.0 / (p[0] + p[1]) - 1.0;
+    line.w1 = 1.0 / (q[0] + q[1]) - 1.0;
+    return true;
+  }
+
+  static void addCrossing(const Line& p, const Line& q, std::vector<double>& stops)
+  {
+    const double low = std::max(p.u0, q.u0), high = std::min(p.u1, q.u1);
+    if (!(low < high)) return;
+    const double atLow = p.w(low) - q.w(low), atHigh = p.w(high) - q.w(high);
+    if ((atLow < 0) != (atHigh < 0))
+      stops.push_back(low + (high - low) * (atLow / (atLow - atHigh)));
+  }
+  static const Line* largestOn(double from, double to, const std::vector<Line>& lines)
+  {
+    const double u = 0.5 * (from + to);
+    const Line* largest = nullptr;
+    for (const Line& line : lines)
+      if (line.u0 <= from && line.u1 >= to && (largest == nullptr || line.w(u) > largest->w(u)))
+        largest = &line;
+    return largest;
+  }
+
+  /// The part of the edge inside of a spot's cone.
+  bool coneHolds(double& low, double& high) const
+  {
+    low = 0;
+    high = 1;
+    if (!light_.isCone) return true;
+    const auto at = [&](double u) { return a_ + e_ * u; };
+    double inside = light_.holds(a_) ? 0.0 : 1.0;
+    if (!light_.holds(at(inside))) {
+      double left = 0, right = 1;
+      const auto depth = [&](double u) {
+        const Vec3d way = at(u) - light_.source;
+        return dot(way, light_.axis) - light_.cosine * std::sqrt(dot(way, way));
+      };
+      for (int i = 0; i < 60; ++i) {
+        const double p = left + (right - left) / 3, q = right - (right - left) / 3;
+        if (depth(p) < depth(q))
+          left = p;
+        else
+          right = q;
+      }
+      inside = 0.5 * (left + right);
+    }
+    if (!light_.holds(at(inside))) return false;
+    const auto lastInside = [&](double outside) {
+      double held = inside;
+      for (int i = 0; i < 60; ++i) {
+        const double middle = 0.5 * (held + outside);
+        if (light_.holds(at(middle)))
+          held = middle;
+        else
+          outside = middle;
+      }
+      return held;
+    };
+    if (!light_.holds(a_)) low = lastInside(0);
+    if (!light_.holds(b_)) high = lastInside(1);
+    return low < high;
+  }
+
+  void add(std::uint32_t number, const Line& line, double u0, double u1,
+           std::vector<ShadowPiece>& pieces) const
+  {
+    double contact = kShadowContact * world_.size;
+    if (!light_.isParallel) {
+      const Vec3d toA = a_ - light_.source, toB = b_ - light_.source;
+      contact = contact / std::sqrt(std::max(dot(toA, toA), dot(toB, toB)));
+    }
+    const bool isBehind0 = line.w(u0) < -contact, isBehind1 = line.w(u1) < -contact;
+    if (!isBehind0 && !isBehind1) return;
+    const double limit =
+        line.u0 + (line.u1 - line.u0) * ((-contact - line.w0) / (line.w1 - line.w0));
+    if (!isBehind0) u0 = limit;
+    if (!isBehind1) u1 = limit;
+    if (!(u1 - u0 > kShadowSliver)) return;
+    const auto at = [&](double u) {
+      const Vec3d p = a_ + e_ * u;
+      if (light_.isParallel) return p + light_.source * line.w(u);
+      return light_.source + (p - light_.source) * (1.0 / (1.0 + line.w(u)));
+    };
+    pieces.push_back({number, line.triangle, u0, u1, at(u0), at(u1)});
+  }
+
+  const WorldMesh& world_;
+  const LightRays& light_;
+  const WorldEdge& edge_;
+  Vec3d a_, b_, e_;
+};
+
+/// A triangle's corners in the order of their numbers.
+Triangle sorted(Triangle triangle)
+{
+  std::sort(triangle.vertex, triangle.vertex + 3);
+  return triangle;
+}
+
+double size1(Vec3d v)
+{
+  return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z);
+}
+
+/// Whether the edge from p to q goes through a triangle, and where. What touches it counts as moved
+/// if `isMoved`, else the triangle does.
+bool goesThrough(const WorldMesh& world, std::uint32_t p, std::uint32_t q, std::uint32_t triangle,
+                 bool isMoved, CutPoint& cut)
+{
+  const Triangle through = sorted(world.triangles[triangle]);
+  const Vec3d a = world.points[through.vertex[0]], b = world.points[through.vertex[1]],
+              c = world.points[through.vertex[2]];
+  const Vec3d from = world.points[p], to = world.points[q];
+  const Vec3d n = cross(b - a, c - a);
+  const double atFrom = dot(n, from - a), atTo = dot(n, to - a);
+  const double rounding = kCutRounding * world.size;
+  const auto isAbove = [&](double volume, double area, Vec3d gradient) {
+    if (std::fabs(volume) > rounding * area) return volume > 0;
+    return (dot(gradient, kCutMove) >= 0) == isMoved;
+  };
+  const double area = size1(b - a) * size1(c - a);
+  if (isAbove(atFrom, area, n) == isAbove(atTo, area, n)) return false;
+  const auto turns = [&](Vec3d x, Vec3d y) {
+    const Vec3d side = (y - from) - (x - from);
+    return isAbove(dot(to - from, cross(x - from, y - from)), size1(to - from) * size1(side),
+                   cross(to - from, side));
+  };
+  if (turns(a, b) != turns(b, c) || turns(b, c) == turns(a, c)) return false;
+  cut = {{p, q}, triangle, from + (to - from) * (atFrom / (atFrom - atTo))};
+  return true;
+}
+
+bool boxesMeet(const WorldMesh& world, const Triangle& s, const Triangle& t)
+{
+  Box first, second;
+  for (const std::uint32_t v : s.vertex)
+    first.add(world.points[v]);
+  for (const std::uint32_t v : t.vertex)
+    second.add(world.points[v]);
+  const Vec3d before = first.high - second.low, after = second.high - first.low;
+  return std::min({before.x, before.y, before.z, after.x, after.y, after.z}) >= 0;
+}
+
+bool shareAPoint(const Triangle& s, const Triangle& t)
+{
+  return std::any_of(s.vertex, s.vertex + 3,
+                     [&](std::uint32_t p) { return std::count(t.vertex, t.vertex + 3, p) > 0; });
+}
+
+}  // namespace
+
+std::vector<ShadowPiece> shadowPieces(const WorldMesh& world, const LightRays& light,
+                                      Span<const double> creaseDegrees)
+{
+  std::vector<ShadowPiece> pieces;
+  for (std::uint32_t e = 0; e < world.edges.size(); ++e)
+    Edge(world, light, e).cast(e, creaseDegrees[world.body[world.edges[e].triangle[0]]], pieces);
+  return pieces;
+}
+
+std::vector<CutPiece> intersections(const WorldMesh& world, Span<const std::uint8_t> isWanted)
+{
+  std::vector<CutPiece> pieces;
+  const auto count = static_cast<std::uint32_t>(world.triangles.size());
+  for (std::uint32_t s = 0; s < count; ++s)
+    for (std::uint32_t t = s + 1; t < count; ++t) {
+      if (world.isBroken(s) || world.isBroken(t)) continue;
+      if (isWanted[world.body[s]] == 0 && isWanted[world.body[t]] == 0) continue;
+      const Triangle first = sorted(world.triangles[s]), second = sorted(world.triangles[t]);
+      if (world.body[s] == world.body[t] && shareAPoint(first, second)) continue;
+      if (!boxesMeet(world, first, second)) continue;
+      const bool isFirstMoved = world.body[s] > world.body[t];
+      std::vector<CutPoint> ends;
+      for (const auto& [triangle, other] : {std::pair{first, t}, std::pair{second, s}})
+        for (const auto& [i, j] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}})
+          if (CutPoint cut; goesThrough(world, triangle.vertex[i], triangle.vertex[j], other,
+                                        (other == t) == isFirstMoved, cut))
+            ends.push_back(cut);
+      if (ends.size() == 2) pieces.push_back({{s, t}, {ends[0], ends[1]}});
+    }
+  return pieces;
+}
+
+}  // namespace limn::reference

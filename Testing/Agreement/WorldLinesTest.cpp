@@ -1,0 +1,200 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Shadows' borders and intersections of random bodies: as the reference has them, on any number of
+// threads, and with one hash everywhere.
+#include "Rendering/Reference/ReferenceShadows.h"
+#include "Testing/Unit/WorldStage.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <iostream>
+#include <random>
+
+namespace limn {
+namespace {
+
+constexpr std::uint64_t kHashOfShadows = 1347758198164679208u;
+constexpr std::uint64_t kHashOfIntersections = 8846184150051589907u;
+constexpr int kSeeds = 400;
+
+class RandomWorld {
+ public:
+  explicit RandomWorld(std::uint32_t seed) : random_(seed)
+  {
+    const int bodies = 2 + whole(3);
+    for (int i = 0; i < bodies; ++i)
+      meshes_.push_back(solid());
+    std::vector<PlacedMesh> placed;
+    for (const testing::Polyhedron& mesh : meshes_)
+      placed.push_back({mesh.view(), place()});
+    wanted.resize(placed.size());
+    for (std::uint8_t& one : wanted)
+      one = whole(4) > 0 ? 1 : 0;
+    for (std::size_t i = 0; i < placed.size(); ++i)
+      creaseDegrees.push_back(whole(3) * 40.0);
+    EXPECT_TRUE(buildWorldMesh(placed, wanted, 2, world).ok());
+    const int kind = whole(3);
+    light = {kind == 0, kind == 0 ? normalized(vector()) : vector() * 4.0, kind == 2,
+             normalized(vector()), 0.5 * share() + 0.4};
+    // Towards the middle, mostly.
+    if (light.isCone) light.axis = normalized(-light.source + vector());
+  }
+
+  WorldMesh world;
+  LightRays light = {};
+  std::vector<double> creaseDegrees;
+  std::vector<std::uint8_t> wanted;
+
+ private:
+  double share() { return static_cast<double>(random_() >> 8) * 0x1p-24; }
+  int whole(int count) { return static_cast<int>(share() * count); }
+  Vec3d vector()
+  {
+    const double x = 2 * share() - 1, y = 2 * share() - 1, z = 2 * share() - 1;
+    return {x, y, z};
+  }
+  testing::Polyhedron solid()
+  {
+    switch (whole(5)) {
+      case 0:
+        return testing::cube();
+      case 1:
+        return testing::plane(1 + static_cast<std::uint32_t>(whole(6)));
+      case 2:
+        return testing::icosahedron();
+      case 3:
+        return testing::torus(1, 0.4, 12, 8);
+      default:
+        return soup();
+    }
+  }
+  testing::Polyhedron soup()
+  {
+    testing::Polyhedron mesh;
+    for (int i = 0; i < 12; ++i)
+      mesh.positions.push_back(vec3Cast<float>(vector()));
+    for (int i = 0; i < 16; ++i) {
+      const auto corner = [&] { return static_cast<std::uint32_t>(whole(13)); };
+      const std::uint32_t a = corner(), b = corner(), c = corner();
+      mesh.triangles.push_back({{a, b, c}});
+    }
+    return mesh;
+  }
+  /// Some on a grid, for planes and corners that coincide.
+  Mat4d place()
+  {
+    Mat4d m = Mat4d::identity();
+    const bool isOnGrid = whole(2) == 0;
+    for (int r = 0; r < 3; ++r) {
+      const Vec3d x = vector();
+      const double to = 2 * share() - 1;
+      double* const row = m.m[r];
+      if (!isOnGrid) {
+        row[0] = x.x;
+        row[1] = x.y;
+        row[2] = x.z;
+      }
+      row[3] = isOnGrid ? std::floor(to * 2) : to * 2;
+    }
+    return m;
+  }
+
+  std::mt19937 random_;
+  std::vector<testing::Polyhedron> meshes_;
+};
+
+class Hash {
+ public:
+  void add(const void* data, std::size_t size)
+  {
+    const auto* const bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i)
+      value_ = (value_ ^ bytes[i]) * 1099511628211u;
+  }
+  void add(Vec3d p)
+  {
+    for (const double value : {p.x + 0.0, p.y + 0.0, p.z + 0.0})
+      add(&value, sizeof value);
+  }
+  std::uint64_t value() const { return value_; }
+
+ private:
+  std::uint64_t value_ = 14695981039346656037u;
+};
+
+bool same(Vec3d a, Vec3d b)
+{
+  return std::memcmp(&a, &b, sizeof a) == 0;
+}
+bool same(const ShadowPiece& a, const ShadowPiece& b)
+{
+  return a.edge == b.edge && a.receiver == b.receiver && a.u0 == b.u0 && a.u1 == b.u1 &&
+         same(a.from, b.from) && same(a.to, b.to);
+}
+bool same(const CutPoint& a, const CutPoint& b)
+{
+  return a.point[0] == b.point[0] && a.point[1] == b.point[1] && a.triangle == b.triangle &&
+         same(a.place, b.place);
+}
+bool same(const CutPiece& a, const CutPiece& b)
+{
+  return a.triangle[0] == b.triangle[0] && a.triangle[1] == b.triangle[1] &&
+         same(a.end[0], b.end[0]) && same(a.end[1], b.end[1]);
+}
+
+template <class Piece>
+void expectSame(const std::vector<Piece>& actual, const std::vector<Piece>& expected,
+                std::uint32_t seed)
+{
+  ASSERT_EQ(actual.size(), expected.size()) << "seed " << seed;
+  for (std::size_t i = 0; i < actual.size(); ++i)
+    ASSERT_TRUE(same(actual[i], expected[i])) << "seed " << seed << ", piece " << i;
+}
+
+TEST(WorldLines, ShadowsAreLikeTheReferences)
+{
+  Hash hash;
+  std::size_t count = 0;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    const RandomWorld random(seed);
+    const TriangleTree tree(random.world);
+    const auto expected = reference::shadowPieces(random.world, random.light, random.creaseDegrees);
+    for (const int threads : {1, 3, 8})
+      expectSame(shadowPieces(random.world, tree, random.light, random.creaseDegrees, threads),
+                 expected, seed);
+    for (const ShadowPiece& piece : expected) {
+      hash.add(piece.from);
+      hash.add(piece.to);
+    }
+    count += expected.size();
+  }
+  EXPECT_GT(count, 1000u);
+  std::cout << "kHashOfShadows " << hash.value() << '\n';
+  EXPECT_EQ(hash.value(), kHashOfShadows);
+}
+
+TEST(WorldLines, IntersectionsAreLikeTheReferences)
+{
+  Hash hash;
+  std::size_t count = 0;
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    const RandomWorld random(seed);
+    const TriangleTree tree(random.world);
+    const auto expected = reference::intersections(random.world, random.wanted);
+    for (const int threads : {1, 3, 8})
+      expectSame(intersections(random.world, tree, random.wanted, threads), expected, seed);
+    for (const CutPiece& piece : expected) {
+      hash.add(piece.end[0].place);
+      hash.add(piece.end[1].place);
+    }
+    count += expected.size();
+  }
+  EXPECT_GT(count, 1000u);
+  std::cout << "kHashOfIntersections " << hash.value() << '\n';
+  EXPECT_EQ(hash.value(), kHashOfIntersections);
+}
+
+}  // namespace
+}  // namespace limn
