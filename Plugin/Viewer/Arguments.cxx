@@ -65,6 +65,13 @@ void requireColoringArray(const ColoringSettings& coloring)
   }
 }
 
+/// A headlight's terminator is the contour, and its shadows lie behind what casts them.
+bool hasPlacedLight(const SceneSettings& scene)
+{
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+    [](const LightSettings& light) { return light.kind != LightKind::Headlight; });
+}
+
 void checkLines(const SceneSettings& scene)
 {
   const LineSettings& lines = scene.lines;
@@ -83,10 +90,28 @@ void checkLines(const SceneSettings& scene)
       throw UserError(std::string(name) + " needs lines; add --lines=crease or another kind");
     }
   }
-  if (lines.creaseAngleDegrees && !has(LineKind::Crease) && !has(LineKind::Contour) &&
+  const bool isOfLight = has(LineKind::Terminator) || has(LineKind::Shadow);
+  if (lines.creaseAngleDegrees && !has(LineKind::Crease) && !has(LineKind::Contour) && !isOfLight &&
       scene.style.empty())
   {
-    throw UserError("--crease-angle needs --lines=crease or --lines=contour");
+    throw UserError("--crease-angle needs --lines=crease, --lines=contour, terminator or shadow");
+  }
+  if (lines.ridgeThreshold && !has(LineKind::Ridge) && !has(LineKind::Valley))
+  {
+    throw UserError("--ridge-threshold needs --lines=ridge or --lines=valley");
+  }
+  if (lines.suggestiveThreshold && !has(LineKind::Suggestive))
+  {
+    throw UserError("--suggestive-threshold needs --lines=suggestive");
+  }
+  if (lines.lights && !isOfLight)
+  {
+    throw UserError("--line-lights needs --lines=terminator or --lines=shadow");
+  }
+  if (isOfLight && !hasPlacedLight(scene))
+  {
+    throw UserError(std::string("--lines=") + (has(LineKind::Shadow) ? "shadow" : "terminator") +
+                    " needs a light beside the camera; add --light=directional:1,-1,-1:1,1,1");
   }
   if (lines.idArray && !has(LineKind::Ids))
   {

@@ -376,6 +376,9 @@ void setLineKinds(const std::vector<LineKind>& kinds, vtkLimnProperty& property)
   property.SetRidgeLines(has(LineKind::Ridge));
   property.SetValleyLines(has(LineKind::Valley));
   property.SetSuggestiveLines(has(LineKind::Suggestive));
+  property.SetTerminatorLines(has(LineKind::Terminator));
+  property.SetShadowLines(has(LineKind::Shadow));
+  property.SetIntersectionLines(has(LineKind::Intersections));
 }
 
 int hiddenLinesOf(HiddenLines hidden)
@@ -401,6 +404,12 @@ void applyLines(const LineSettings& lines, vtkLimnProperty& property)
   {
     property.SetCreaseAngle(*lines.creaseAngleDegrees);
   }
+  property.SetRidgeThreshold(lines.ridgeThreshold.value_or(property.GetRidgeThreshold()));
+  property.SetSuggestiveThreshold(
+    lines.suggestiveThreshold.value_or(property.GetSuggestiveThreshold()));
+  property.SetLineLights(lines.lights.value_or(LineLights::First) == LineLights::All
+                           ? vtkLimnProperty::LINE_LIGHTS_ALL
+                           : vtkLimnProperty::LINE_LIGHTS_FIRST);
   const StrokeWidth width =
     lines.width.value_or(StrokeWidth{ 1.5, vtkLimnProperty::STROKE_PIXELS });
   property.SetStrokeWidth(width.value);

@@ -87,7 +87,16 @@ const Choices<LineKind>& lineKinds()
     { "border", LineKind::Border }, { "non-manifold", LineKind::NonManifold },
     { "ids", LineKind::Ids }, { "normals", LineKind::Normals }, { "contour", LineKind::Contour },
     { "silhouette", LineKind::Silhouette }, { "ridge", LineKind::Ridge },
-    { "valley", LineKind::Valley }, { "suggestive", LineKind::Suggestive } };
+    { "valley", LineKind::Valley }, { "suggestive", LineKind::Suggestive },
+    { "terminator", LineKind::Terminator }, { "shadow", LineKind::Shadow },
+    { "intersections", LineKind::Intersections } };
+  return choices;
+}
+
+const Choices<LineLights>& lineLights()
+{
+  static const Choices<LineLights> choices = { { "first", LineLights::First },
+    { "all", LineLights::All } };
   return choices;
 }
 

@@ -23,6 +23,7 @@ const Choices<Outline>& outlines();
 /// Names of vtkLimnStyle.
 const Choices<std::string>& styles();
 const Choices<LineKind>& lineKinds();
+const Choices<LineLights>& lineLights();
 const Choices<HiddenLines>& hiddenLines();
 const Choices<Detector>& detectors();
 const Choices<TextureFilter>& textureFilters();

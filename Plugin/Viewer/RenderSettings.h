@@ -263,7 +263,17 @@ enum class LineKind
   Silhouette,
   Ridge,
   Valley,
-  Suggestive
+  Suggestive,
+  Terminator,
+  Shadow,
+  Intersections
+};
+
+/// Of terminators and shadows.
+enum class LineLights
+{
+  First,
+  All
 };
 
 struct StrokeWidth
@@ -285,6 +295,8 @@ struct LineSettings
   std::optional<double> taper;               ///< pixels
   std::optional<std::array<double, 2>> dash; ///< dash and gap, pixels
   std::optional<HiddenLines> hidden;
+  std::optional<double> ridgeThreshold, suggestiveThreshold; ///< the property's
+  std::optional<LineLights> lights;                          ///< first if not given
 };
 
 struct ColoringSettings

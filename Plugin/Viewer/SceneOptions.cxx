@@ -345,11 +345,23 @@ void addLines(OptionList& options, SceneSettings& scene)
     "border, non-manifold, ids (cells whose array\n"
     "differs), normals (where they are split), contour\n"
     "(where the surface turns away), silhouette (the\n"
-    "same along edges of the mesh), and of smooth\n"
-    "surfaces ridge, valley, suggestive (none)",
+    "same along edges of the mesh), intersections (where\n"
+    "surfaces cut each other), terminator (where they turn\n"
+    "away from the light), shadow (the border of what they\n"
+    "cast), and of smooth surfaces ridge, valley,\n"
+    "suggestive (none)",
     into(lines.kinds, parseLineKinds));
   options.add("--crease-angle", "degrees", "0 to 180, between faces' normals, of creases (40)",
     into(lines.creaseAngleDegrees, parseFeatureAngle));
+  options.add("--ridge-threshold", "k",
+    "how much a fortieth of the model bends at ridges and\nvalleys, 0 gives all (0.1)",
+    into(lines.ridgeThreshold, parseNotNegative));
+  options.add("--suggestive-threshold", "k",
+    "how much the bend along the view grows at suggestive\nlines, likewise (0.01)",
+    into(lines.suggestiveThreshold, parseNotNegative));
+  options.add("--line-lights", "name",
+    "lights that have terminators and shadows: first (that\nis no headlight), all (first)",
+    choose(lines.lights, lineLights()));
   options.add("--ids-array", "name", "cell data for ids (the cell scalars)",
     [&lines](Text, Text text) { lines.idArray = text; });
   options.add("--stroke-width", "width",

@@ -207,6 +207,12 @@ const char* vtkLimnProperty::GetHiddenLinesAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetLineLightsAsString()
+{
+  return this->LineLights == LINE_LIGHTS_ALL ? "All" : "First";
+}
+
+//------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetOutlineDetectorAsString()
 {
   static const char* const names[] = { "Plane", "Sobel", "Laplacian" };
@@ -314,6 +320,12 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetRidgeLines(other->RidgeLines);
   this->SetValleyLines(other->ValleyLines);
   this->SetSuggestiveLines(other->SuggestiveLines);
+  this->SetRidgeThreshold(other->RidgeThreshold);
+  this->SetSuggestiveThreshold(other->SuggestiveThreshold);
+  this->SetTerminatorLines(other->TerminatorLines);
+  this->SetShadowLines(other->ShadowLines);
+  this->SetIntersectionLines(other->IntersectionLines);
+  this->SetLineLights(other->LineLights);
   this->SetIdArrayName(other->IdArrayName);
   this->SetCreaseAngle(other->CreaseAngle);
   this->SetStrokeWidth(other->StrokeWidth);
@@ -401,6 +413,12 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "RidgeLines: " << (this->RidgeLines ? "On" : "Off") << "\n";
   os << indent << "ValleyLines: " << (this->ValleyLines ? "On" : "Off") << "\n";
   os << indent << "SuggestiveLines: " << (this->SuggestiveLines ? "On" : "Off") << "\n";
+  os << indent << "RidgeThreshold: " << this->RidgeThreshold << "\n";
+  os << indent << "SuggestiveThreshold: " << this->SuggestiveThreshold << "\n";
+  os << indent << "TerminatorLines: " << (this->TerminatorLines ? "On" : "Off") << "\n";
+  os << indent << "ShadowLines: " << (this->ShadowLines ? "On" : "Off") << "\n";
+  os << indent << "IntersectionLines: " << (this->IntersectionLines ? "On" : "Off") << "\n";
+  os << indent << "LineLights: " << this->GetLineLightsAsString() << "\n";
   os << indent << "IdArrayName: " << (this->IdArrayName ? this->IdArrayName : "(none)") << "\n";
   os << indent << "CreaseAngle: " << this->CreaseAngle << "\n";
   os << indent << "StrokeWidth: " << this->StrokeWidth << "\n";

@@ -549,7 +549,66 @@ public:
 
   ///@{
   /**
-   * In degrees, 0 to 180, for CreaseLines and ContourLines. Default: 40.
+   * How much a surface bends where it has a ridge or valley: more than RidgeThreshold over s, a
+   * fortieth of the diagonal of the mesh's box. And where it has a suggestive contour: its radial
+   * curvature grows towards the viewer by more than SuggestiveThreshold over s squared. At least 0;
+   * 0 gives all lines. Default: 0.1 and 0.01.
+   */
+  vtkSetMacro(RidgeThreshold, double);
+  vtkGetMacro(RidgeThreshold, double);
+  vtkSetMacro(SuggestiveThreshold, double);
+  vtkGetMacro(SuggestiveThreshold, double);
+  ///@}
+
+  ///@{
+  /**
+   * Lines of light. The terminator is where a surface turns away from a light, n.l = 0; along edges
+   * sharper than CreaseAngle it follows edges that are lit on one side. Shadow lines are the
+   * borders of the shadows that this actor casts, on itself and on all others of Limn's in the
+   * renderer, whether these have lines or not, and all of them keep light from each other. Surfaces
+   * are not darkened. Both are of LineLights; those are found anew when a light or a surface moves,
+   * not for the camera. Default: off.
+   */
+  vtkSetMacro(TerminatorLines, bool);
+  vtkGetMacro(TerminatorLines, bool);
+  vtkBooleanMacro(TerminatorLines, bool);
+  vtkSetMacro(ShadowLines, bool);
+  vtkGetMacro(ShadowLines, bool);
+  vtkBooleanMacro(ShadowLines, bool);
+  ///@}
+
+  enum LineLightChoices
+  {
+    LINE_LIGHTS_FIRST = 0,
+    LINE_LIGHTS_ALL
+  };
+  ///@{
+  /**
+   * Which lights have terminators and shadows: the renderer's first that is on and no headlight, or
+   * the headlight if there is no other; or all that are on.
+   * Rectangles and spheres count as points in their middle. Default: First.
+   */
+  vtkSetClampMacro(LineLights, int, LINE_LIGHTS_FIRST, LINE_LIGHTS_ALL);
+  vtkGetMacro(LineLights, int);
+  void SetLineLightsToFirst() { this->SetLineLights(LINE_LIGHTS_FIRST); }
+  void SetLineLightsToAll() { this->SetLineLights(LINE_LIGHTS_ALL); }
+  const char* GetLineLightsAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The lines where this actor's surface cuts itself or others of Limn's in the renderer. Where two
+   * actors that both have them meet, the line is the first one's. Default: off.
+   */
+  vtkSetMacro(IntersectionLines, bool);
+  vtkGetMacro(IntersectionLines, bool);
+  vtkBooleanMacro(IntersectionLines, bool);
+  ///@}
+
+  ///@{
+  /**
+   * In degrees, 0 to 180, for CreaseLines, ContourLines, TerminatorLines and ShadowLines, which no
+   * smooth surface has right where it turns away from the light. Default: 40.
    */
   vtkSetClampMacro(CreaseAngle, double, 0.0, 180.0);
   vtkGetMacro(CreaseAngle, double);
@@ -825,6 +884,12 @@ protected:
   bool RidgeLines = false;
   bool ValleyLines = false;
   bool SuggestiveLines = false;
+  double RidgeThreshold = 0.1;
+  double SuggestiveThreshold = 0.01;
+  bool TerminatorLines = false;
+  bool ShadowLines = false;
+  bool IntersectionLines = false;
+  int LineLights = LINE_LIGHTS_FIRST;
   char* IdArrayName = nullptr;
   double CreaseAngle = 40.0;
   double StrokeWidth = 1.5;

@@ -109,19 +109,27 @@ class ShadowCaster {
     const auto& v = world_.triangles[triangle].vertex;
     return v[0] == point || v[1] == point || v[2] == point;
   }
-  /// Whether a triangle goes on smoothly from the edge's faces.
-  bool isBeside(const WorldEdge& edge, std::uint32_t t) const
+  /// Whether a piece is one that a smooth surface does not show: near its edge, or where the ray
+  /// has gone into the body, as it does where facets make dents that the surface has not.
+  bool isSpared(const WorldEdge& edge, const HalfPlane& plane, const ShadowPiece& piece) const
   {
-    const std::uint32_t body = world_.body[t];
+    const std::uint32_t t = piece.receiver, body = world_.body[t];
     if (edge.triangle[1] == kNoCorner || body != world_.body[edge.triangle[0]]) return false;
-    if (!has(t, edge.point[0]) && !has(t, edge.point[1]) && !has(t, apex(edge, 0)) &&
-        !has(t, apex(edge, 1)))
-      return false;
     const Vec3d first = normal(edge.triangle[0]), own = normal(t);
     Vec3d second = normal(edge.triangle[1]);
     if (!edge.isWoundAlike) second = -second;
-    return dot(first, second) >= cosine_[body] &&
-           (dot(own, first) >= cosine_[body] || dot(own, second) >= cosine_[body]);
+    if (dot(first, second) < cosine_[body]) return false;
+    const Vec3d a = world_.points[edge.point[0]], b = world_.points[edge.point[1]];
+    const Vec3d c = world_.points[apex(edge, 0)], d = world_.points[apex(edge, 1)];
+    const bool bulgesOut = dot(first, d - a) < 0;
+    const bool showsOut = dot(own, light_.towardLight(world_.corner(t, 0))) > 0;
+    if (edge.isWoundAlike && bulgesOut != showsOut) return true;
+    if (dot(own, first) < cosine_[body] && dot(own, second) < cosine_[body]) return false;
+    const Vec3d areaC = cross(b - a, c - a), areaD = cross(b - a, d - a);
+    const double wide = std::max(dot(areaC, areaC), dot(areaD, areaD)) / dot(b - a, b - a);
+    const Vec3d from = piece.from - plane.point(piece.u0, 0),
+                to = piece.to - plane.point(piece.u1, 0);
+    return std::max(dot(from, from), dot(to, to)) < kShadowFacets * kShadowFacets * wide;
   }
 
   bool cut(const HalfPlane& plane, std::uint32_t t, double low, double high, Slice& slice) const
@@ -149,7 +157,6 @@ class ShadowCaster {
            std::vector<ShadowPiece>& pieces) const
   {
     const Slice& slice = slices_[stretch.slice];
-    if (isBeside(world_.edges[edge], slice.triangle)) return;
     const double limit = -plane.contact();
     const double w0 = slice.at(stretch.u0), w1 = slice.at(stretch.u1);
     if (!(w0 < limit) && !(w1 < limit)) return;
@@ -159,9 +166,13 @@ class ShadowCaster {
       (w0 < limit ? stretch.u1 : stretch.u0) = u;
     }
     if (!(stretch.u1 - stretch.u0 > kShadowSliver)) return;
-    pieces.push_back({edge, slice.triangle, stretch.u0, stretch.u1,
-                      plane.point(stretch.u0, slice.at(stretch.u0)),
-                      plane.point(stretch.u1, slice.at(stretch.u1))});
+    const ShadowPiece piece = {edge,
+                               slice.triangle,
+                               stretch.u0,
+                               stretch.u1,
+                               plane.point(stretch.u0, slice.at(stretch.u0)),
+                               plane.point(stretch.u1, slice.at(stretch.u1))};
+    if (!isSpared(world_.edges[edge], plane, piece)) pieces.push_back(piece);
   }
 
   const WorldMesh& world_;

@@ -13,8 +13,10 @@
 namespace limn {
 
 /// Of all edges of the world, exactly. A smooth surface shows none next to where it turns away from
-/// the light: of an edge whose faces' normals are within `creaseDegrees`, by body, of each other
-/// there is none on triangles of its body that touch its faces and are within that angle of one.
+/// the light, which facets would make there: of an edge whose faces' normals are within
+/// `creaseDegrees`, by body, of each other there is none on triangles of its body that are within
+/// that angle of one of its faces and within kShadowFacets of it, and none on such of its body that
+/// show light the side to which the edge does not bulge.
 /// In the order of edges, then of u; the same on any number of threads.
 std::vector<ShadowPiece> shadowPieces(const WorldMesh& world, const TriangleTree& tree,
                                       const LightRays& light, Span<const double> creaseDegrees,

@@ -74,14 +74,12 @@ class Edge {
       if (!(stops[i] < stops[i + 1])) continue;
       const Line* const first = largestOn(stops[i], stops[i + 1], lines);
       if (first != before) {
-        if (before != nullptr && !isBeside(before->triangle, creaseDegrees))
-          add(number, *before, since, stops[i], pieces);
+        if (before != nullptr) add(number, *before, since, stops[i], creaseDegrees, pieces);
         before = first;
         since = stops[i];
       }
     }
-    if (before != nullptr && !isBeside(before->triangle, creaseDegrees))
-      add(number, *before, since, stops.back(), pieces);
+    if (before != nullptr) add(number, *before, since, stops.back(), creaseDegrees, pieces);
   }
 
  private:
@@ -115,13 +113,6 @@ class Edge {
     return normalized(cross(world_.corner(t, 1) - world_.corner(t, 0),
                             world_.corner(t, 2) - world_.corner(t, 0)));
   }
-  bool touch(std::uint32_t s, std::uint32_t t) const
-  {
-    for (const std::uint32_t p : world_.triangles[s].vertex)
-      for (const std::uint32_t q : world_.triangles[t].vertex)
-        if (p == q) return true;
-    return false;
-  }
   bool hasPoint(std::uint32_t t, std::uint32_t p) const
   {
     const auto& v = world_.triangles[t].vertex;
@@ -131,16 +122,26 @@ class Edge {
   {
     return hasPoint(t, edge_.point[0]) && hasPoint(t, edge_.point[1]);
   }
-  /// Whether it is of one smooth surface with the edge's faces, and next to them.
-  bool isBeside(std::uint32_t t, double creaseDegrees) const
+  /// Whether a piece is not shown, as it is of one smooth surface with the edge's faces.
+  bool isSpared(const ShadowPiece& piece, double creaseDegrees) const
   {
+    const std::uint32_t t = piece.receiver;
     if (isBorder() || world_.body[t] != world_.body[edge_.triangle[0]]) return false;
     const double bound = cosineOfDegrees(creaseDegrees);
     const Vec3d first = normal(edge_.triangle[0]);
     const Vec3d second = normal(edge_.triangle[1]) * (edge_.isWoundAlike ? 1.0 : -1.0);
     if (dot(first, second) < bound) return false;
-    if (!touch(t, edge_.triangle[0]) && !touch(t, edge_.triangle[1])) return false;
-    return dot(normal(t), first) >= bound || dot(normal(t), second) >= bound;
+    const bool bulgesOut = dot(first, third(1) - a_) < 0;
+    const bool showsOut = dot(normal(t), light_.towardLight(world_.corner(t, 0))) > 0;
+    if (edge_.isWoundAlike && bulgesOut != showsOut) return true;
+    if (dot(normal(t), first) < bound && dot(normal(t), second) < bound) return false;
+    const auto squared = [](Vec3d v) { return dot(v, v); };
+    const double widest =
+        std::max(squared(cross(e_, third(0) - a_)), squared(cross(e_, third(1) - a_))) /
+        squared(e_);
+    const double far =
+        std::max(squared(piece.from - at(piece.u0, 0)), squared(piece.to - at(piece.u1, 0)));
+    return far < kShadowFacets * kShadowFacets * widest;
   }
 
   /// u and w of the straight line in which the half plane cuts a triangle.
@@ -250,7 +251,13 @@ class Edge {
     return low < high;
   }
 
-  void add(std::uint32_t number, const Line& line, double u0, double u1,
+  Vec3d at(double u, double w) const
+  {
+    const Vec3d p = a_ + e_ * u;
+    if (light_.isParallel) return p + light_.source * w;
+    return light_.source + (p - light_.source) * (1.0 / (1.0 + w));
+  }
+  void add(std::uint32_t number, const Line& line, double u0, double u1, double creaseDegrees,
            std::vector<ShadowPiece>& pieces) const
   {
     double contact = kShadowContact * world_.size;
@@ -265,12 +272,9 @@ class Edge {
     if (!isBehind0) u0 = limit;
     if (!isBehind1) u1 = limit;
     if (!(u1 - u0 > kShadowSliver)) return;
-    const auto at = [&](double u) {
-      const Vec3d p = a_ + e_ * u;
-      if (light_.isParallel) return p + light_.source * line.w(u);
-      return light_.source + (p - light_.source) * (1.0 / (1.0 + line.w(u)));
-    };
-    pieces.push_back({number, line.triangle, u0, u1, at(u0), at(u1)});
+    const ShadowPiece piece = {number, line.triangle,      u0,
+                               u1,     at(u0, line.w(u0)), at(u1, line.w(u1))};
+    if (!isSpared(piece, creaseDegrees)) pieces.push_back(piece);
   }
 
   const WorldMesh& world_;

@@ -21,6 +21,9 @@ namespace limn {
 inline constexpr double kShadowContact = 1e-6;
 /// Rays are followed from this share of their way to the edge on.
 inline constexpr double kShadowNear = 1e-6;
+/// A smooth surface has no border of its own nearer to the edge than so many times as its faces are
+/// wide across it.
+inline constexpr double kShadowFacets = 3;
 /// Shorter pieces, in u, are left out.
 inline constexpr double kShadowSliver = 1e-9;
 

@@ -15,7 +15,7 @@
 namespace limn {
 namespace {
 
-constexpr std::uint64_t kHashOfShadows = 1347758198164679208u;
+constexpr std::uint64_t kHashOfShadows = 13465966768996453725u;
 constexpr std::uint64_t kHashOfIntersections = 8846184150051589907u;
 constexpr int kSeeds = 400;
 

@@ -195,6 +195,21 @@ TEST(Ridges, OfAnExtrudedSineAreItsCrestsAndValleysItsTroughs)
   }
 }
 
+// The crests bend by kHeight kWave^2.
+TEST(Ridges, AreWhereTheSurfaceBendsMoreThanTheThreshold)
+{
+  const Polyhedron mesh = extrudedSine();
+  const Curved sine(mesh, normalsOfSine(mesh));
+  const double bend = kHeight * kWave * kWave * featureSize(mesh.view());
+  for (const ExtremeKind kind : {ExtremeKind::kRidge, ExtremeKind::kValley}) {
+    const auto lines = [&](double threshold) {
+      return extremeLines(sine.surface(), sine.table, kind, {threshold, 0.01}, 2);
+    };
+    EXPECT_FALSE(lines(0.9 * bend).chains.empty());
+    EXPECT_TRUE(lines(1.1 * bend).chains.empty());
+  }
+}
+
 TEST(Ridges, SpheresHaveNone)
 {
   const Curved sphere(ellipsoid({1, 1, 1}));

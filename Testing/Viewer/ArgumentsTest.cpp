@@ -155,6 +155,22 @@ TEST(Arguments, LinesAreKindsAndAStyle)
   EXPECT_EQ(widthOf("--stroke-width=0.75pt").unit, 1);
 }
 
+TEST(Arguments, LinesOfLightAndOfCurvatureHaveSettings)
+{
+  const LineSettings lines =
+    parseRender({ "--lines=terminator,shadow,intersections,ridge,suggestive",
+                  "--light=directional:1,-1,-1:1,1,1", "--line-lights=all", "--ridge-threshold=0.3",
+                  "--suggestive-threshold=0" })
+      .scene.lines;
+  EXPECT_EQ(lines.kinds, (std::vector<LineKind>{ LineKind::Terminator, LineKind::Shadow,
+                           LineKind::Intersections, LineKind::Ridge, LineKind::Suggestive }));
+  EXPECT_EQ(lines.lights, LineLights::All);
+  EXPECT_EQ(lines.ridgeThreshold, 0.3);
+  EXPECT_EQ(lines.suggestiveThreshold, 0);
+  EXPECT_EQ(
+    renderErrorOf({ "--lines=shadow", "--light=point:1,1,1:1,1,1", "--crease-angle=20" }), "");
+}
+
 TEST(Arguments, AStyleTakesThePlaceOfWhatItDecidesOn)
 {
   const RenderSettings settings =
@@ -188,13 +204,26 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--stroke-width=2" }, "--stroke-width needs lines; add --lines=crease or another kind" },
     { { "--hidden-lines=thin" }, "--hidden-lines needs lines; add --lines=crease or another kind" },
     { { "--lines=border", "--crease-angle=20" },
-      "--crease-angle needs --lines=crease or --lines=contour" },
+      "--crease-angle needs --lines=crease, --lines=contour, terminator or shadow" },
+    { { "--lines=terminator" }, "--lines=terminator needs a light beside the camera; add "
+                                "--light=directional:1,-1,-1:1,1,1" },
+    { { "--lines=shadow", "--light=headlight" },
+      "--lines=shadow needs a light beside the camera; add --light=directional:1,-1,-1:1,1,1" },
+    { { "--lines=border", "--line-lights=all" },
+      "--line-lights needs --lines=terminator or --lines=shadow" },
+    { { "--lines=border", "--ridge-threshold=1" },
+      "--ridge-threshold needs --lines=ridge or --lines=valley" },
+    { { "--lines=ridge", "--suggestive-threshold=1" },
+      "--suggestive-threshold needs --lines=suggestive" },
+    { { "--lines=ridge", "--ridge-threshold=-1" }, "--ridge-threshold=-1 is negative" },
+    { { "--lines=ridge", "--ridge-threshold=nan" },
+      "--ridge-threshold=nan is not a finite number, as in --ridge-threshold=1.5" },
     { { "--lines=border", "--ids-array=part" }, "--ids-array needs --lines=ids" },
     { { "--lines=border", "--dpi=300" },
       "--dpi needs --stroke-width in pt or mm, or --style=print" },
     { { "--lines=crease,edges" },
       "--lines=edges is unknown; choose one of: crease, border, non-manifold, ids, normals, "
-      "contour, silhouette, ridge, valley, suggestive" },
+      "contour, silhouette, ridge, valley, suggestive, terminator, shadow, intersections" },
     { { "--lines=crease,crease" }, "--lines=crease,crease names a kind twice; name it once" },
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },

@@ -76,6 +76,7 @@ CHOICES = {
         [],
         ["--lines=contour,border", "--stroke-width=3", "--hidden-lines=dashed"],
         ["--lines=silhouette,crease,ridge,suggestive", "--outer-width=2", "--stroke-opacity=0.5", "--stroke-taper=9"],
+        ["--lines=intersections,valley", "--ridge-threshold=0.05"],
     ],
     "samples": [["--samples=" + n] for n in ("1", "2", "4", "8", "16")],
 }

@@ -17,6 +17,7 @@
 #include "vtkIntArray.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataNormals.h"
+#include "vtkLight.h"
 #include "vtkSphereSource.h"
 #include "vtkSuperquadricSource.h"
 
@@ -196,6 +197,190 @@ void checkCurves()
   CHECK_EQUAL(stage.Coverage(), 0);
 }
 
+/// Light that travels from a point towards another.
+vtkSmartPointer<vtkLight> lightAlong(double x, double y, double z)
+{
+  vtkNew<vtkLight> light;
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(-x, -y, -z);
+  light->SetFocalPoint(0, 0, 0);
+  return light;
+}
+
+/// Seen along -z, from 100 in front.
+void lookFromAfar(LineStage& stage)
+{
+  stage.Renderer->GetActiveCamera()->SetPosition(50, 40, 100);
+  stage.Renderer->GetActiveCamera()->SetClippingRange(10, 200);
+}
+
+void setBall(LineStage& stage, vtkSphereSource* ball)
+{
+  ball->SetCenter(50, 40, 0);
+  ball->SetRadius(30);
+  ball->SetThetaResolution(24);
+  ball->SetPhiResolution(16);
+  stage.Mapper->SetInputConnection(ball->GetOutputPort());
+}
+
+// A great circle, seen from its edge, from the front and from a side.
+void checkTerminator()
+{
+  LineStage stage;
+  vtkNew<vtkSphereSource> ball;
+  setBall(stage, ball);
+  lookFromAfar(stage);
+  stage.Property->TerminatorLinesOn();
+  const vtkSmartPointer<vtkLight> light = lightAlong(1, 0, 0);
+  stage.Renderer->AutomaticLightCreationOff();
+  stage.Renderer->AddLight(light);
+  checkIsNear(stage.Coverage(), 60 * 2, 3);
+  // Half of it is before the ball, and a few pixels behind it that run along the border.
+  light->SetPosition(-1, 0, 1);
+  const double ellipse = 3.14159265 * 30 * 1.7204 / 2; // half of that with axes 1 and 1/sqrt(2)
+  checkIsNear(stage.Coverage(), ellipse * 2 + 20, 20);
+  vtkNew<vtkLight> head;
+  head->SetLightTypeToHeadlight();
+  stage.Renderer->RemoveAllLights();
+  stage.Renderer->AddLight(head);
+  stage.Renderer->AddLight(light);
+  checkIsNear(stage.Coverage(), ellipse * 2 + 20, 20); // the first that is no headlight
+  const vtkSmartPointer<vtkLight> other = lightAlong(1, 0, 0);
+  stage.Renderer->AddLight(other);
+  const double one = stage.Coverage();
+  stage.Property->SetLineLightsToAll();
+  CHECK(stage.Coverage() > one + 80);
+  light->SwitchOff();
+  head->SwitchOff();
+  checkIsNear(stage.Coverage(), 60 * 2, 3);
+  other->SwitchOff();
+  CHECK_EQUAL(stage.Coverage(), 0);
+}
+
+vtkSmartPointer<vtkPolyData> squareOf(double x, double y, double z, double side)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(x, y, z);
+  plane->SetPoint1(x + side, y, z);
+  plane->SetPoint2(x, y + side, z);
+  plane->Update();
+  return plane->GetOutput();
+}
+
+// A square of 10 x 10 over a wall: its shadow is moved aside, as the light, the square or the wall
+// move, and is where a new window would have it.
+void checkShadow()
+{
+  LineStage stage;
+  lookFromAfar(stage);
+  stage.Mapper->SetInputData(squareOf(20, 30, 20, 10));
+  vtkNew<vtkLimnPolyDataMapper> wallMapper;
+  wallMapper->SetInputData(squareOf(0, 0, 0, 80));
+  vtkNew<vtkLimnProperty> plain;
+  plain->SetColor(0, 0, 1);
+  plain->LightingOff();
+  vtkNew<vtkLimnActor> wall;
+  wall->SetMapper(wallMapper);
+  wall->SetProperty(plain);
+  stage.Renderer->AddActor(wall);
+  const vtkSmartPointer<vtkLight> light = lightAlong(1, 0, -1);
+  stage.Renderer->AddLight(light);
+  CHECK_EQUAL(stage.Coverage(), 0);
+  stage.Property->ShadowLinesOn();
+  checkIsNear(stage.Coverage(), 80, 2);
+  const auto left = [&]
+  {
+    const Picture picture = render(stage.Window);
+    int x = 0;
+    while (x < picture.Width && picture.At(x, 35)[0] < 128)
+    {
+      ++x;
+    }
+    return x;
+  };
+  CHECK_EQUAL(left(), 39);
+  stage.Renderer->GetActiveCamera()->SetPosition(50, 40, 120);
+  CHECK_EQUAL(left(), 39);
+  light->SetPosition(-0.5, 0, 1);
+  CHECK_EQUAL(left(), 29);
+  wall->SetPosition(0, 0, -10);
+  CHECK_EQUAL(left(), 34);
+  stage.Actor->SetPosition(5, 0, 0);
+  CHECK_EQUAL(left(), 39);
+  stage.Mapper->SetInputData(squareOf(21, 30, 20, 10));
+  CHECK_EQUAL(left(), 40);
+  wall->VisibilityOff();
+  CHECK_EQUAL(stage.Coverage(), 0);
+  wall->VisibilityOn();
+  plain->ShadowLinesOn();
+  plain->SetStrokeColor(0, 1, 0);
+  checkIsNear(stage.Coverage(), 80, 2); // nothing is behind the wall
+  stage.Property->ShadowLinesOff();
+  CHECK_EQUAL(stage.Coverage(), 0);
+}
+
+// A ball of radius 30 cut by a wall 18 before its middle: a circle of radius 24.
+void checkIntersections()
+{
+  LineStage stage;
+  vtkNew<vtkSphereSource> ball;
+  setBall(stage, ball);
+  ball->SetThetaResolution(64);
+  ball->SetPhiResolution(64);
+  lookFromAfar(stage);
+  vtkNew<vtkLimnPolyDataMapper> wallMapper;
+  wallMapper->SetInputData(squareOf(0, 0, 18, 80));
+  vtkNew<vtkLimnProperty> plain;
+  plain->SetColor(0, 0, 1);
+  plain->SetStrokeColor(1, 0, 0);
+  plain->SetStrokeWidth(2);
+  plain->LightingOff();
+  vtkNew<vtkLimnActor> wall;
+  wall->SetMapper(wallMapper);
+  wall->SetProperty(plain);
+  stage.Renderer->AddActor(wall);
+  const double circle = 2 * 3.14159265 * 24 * 2;
+  stage.Property->IntersectionLinesOn();
+  checkIsNear(stage.Coverage(), circle, 0.02 * circle);
+  plain->IntersectionLinesOn();
+  checkIsNear(stage.Coverage(), circle, 0.02 * circle);
+  stage.Property->IntersectionLinesOff();
+  checkIsNear(stage.Coverage(), circle, 0.02 * circle);
+  wall->SetPosition(0, 0, 20);
+  CHECK_EQUAL(stage.Coverage(), 0);
+}
+
+void checkThresholds()
+{
+  LineStage stage;
+  vtkNew<vtkSuperquadricSource> torus;
+  torus->ToroidalOn();
+  torus->SetSize(28);
+  torus->SetAxisOfSymmetry(2);
+  torus->SetThetaResolution(64);
+  torus->SetPhiResolution(64);
+  stage.Mapper->SetInputConnection(torus->GetOutputPort());
+  vtkCamera* const camera = stage.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(0, -100, 60);
+  camera->SetClippingRange(10, 300);
+  stage.Property->SuggestiveLinesOn();
+  const double usual = stage.Coverage();
+  stage.Property->SetSuggestiveThreshold(1000);
+  CHECK_EQUAL(stage.Coverage(), 0);
+  stage.Property->SetSuggestiveThreshold(0.01);
+  CHECK_EQUAL(stage.Coverage(), usual);
+  stage.Property->SuggestiveLinesOff();
+  stage.Property->RidgeLinesOn();
+  stage.Property->SetRidgeThreshold(0);
+  const double all = stage.Coverage();
+  stage.Property->SetRidgeThreshold(1000);
+  CHECK_EQUAL(stage.Coverage(), 0);
+  stage.Property->SetRidgeThreshold(0);
+  CHECK_EQUAL(stage.Coverage(), all);
+  CHECK(all > 0);
+}
+
 /// Of point normals that change after a frame, or before the first.
 void checkChangedNormals()
 {
@@ -276,6 +461,9 @@ void checkUnusableValues()
     { "CreaseAngle",
       [](vtkLimnProperty* p) { p->SetCreaseAngle(std::numeric_limits<double>::quiet_NaN()); } },
     { "StrokeDash", [](vtkLimnProperty* p) { p->SetStrokeDash(-3); } },
+    { "RidgeThreshold", [](vtkLimnProperty* p) { p->SetRidgeThreshold(-1); } },
+    { "SuggestiveThreshold", [](vtkLimnProperty* p)
+      { p->SetSuggestiveThreshold(std::numeric_limits<double>::quiet_NaN()); } },
   };
   for (const auto& one : cases)
   {
@@ -299,6 +487,10 @@ int TestLimnLines(int, char*[])
   checkCaching();
   checkContour();
   checkCurves();
+  checkTerminator();
+  checkShadow();
+  checkIntersections();
+  checkThresholds();
   checkChangedNormals();
   checkDashAlone();
   checkUnusableValues();

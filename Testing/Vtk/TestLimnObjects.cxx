@@ -143,6 +143,12 @@ void checkPropertyCopy()
   property->RidgeLinesOn();
   property->ValleyLinesOn();
   property->SuggestiveLinesOn();
+  property->SetRidgeThreshold(0.2);
+  property->SetSuggestiveThreshold(0.03);
+  property->TerminatorLinesOn();
+  property->ShadowLinesOn();
+  property->IntersectionLinesOn();
+  property->SetLineLightsToAll();
   property->SetIdArrayName("part");
   property->SetCreaseAngle(25);
   property->SetStrokeWidth(0.35);

@@ -479,6 +479,8 @@ std::string unusableValueOf(vtkProperty* property)
   const double outlineThreshold = limn ? limn->GetOutlineThreshold() : 0;
   const double featureAngle = limn ? limn->GetFeatureAngle() : 0;
   const double creaseAngle = limn ? limn->GetCreaseAngle() : 0;
+  const double ridge = limn ? limn->GetRidgeThreshold() : 0;
+  const double suggestive = limn ? limn->GetSuggestiveThreshold() : 0;
   const Values all[] = {
     { "AmbientColor", { property->GetAmbientColor(), 3 } },
     { "DiffuseColor", { property->GetDiffuseColor(), 3 } },
@@ -503,6 +505,8 @@ std::string unusableValueOf(vtkProperty* property)
     { "OutlineThreshold", { &outlineThreshold, 1 } },
     { "FeatureAngle", { &featureAngle, 1 } },
     { "CreaseAngle", { &creaseAngle, 1 } },
+    { "RidgeThreshold", { &ridge, 1 } },
+    { "SuggestiveThreshold", { &suggestive, 1 } },
     { "RefractiveIndex", { limn ? limn->GetRefractiveIndex() : none, 3 }, 1 },
   };
   for (const Values& one : all)

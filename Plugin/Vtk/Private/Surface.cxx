@@ -203,8 +203,8 @@ CollectedSurfaces surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
   return collector.take();
 }
 
-bool describe(
-  const Surface& surface, Instance& instance, FrameNormals& normals, FrameTextures* textures)
+bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
+  FrameTextures* textures, bool needsTriangles)
 {
   vtkPolyData* const data = inputOf(surface.mapper);
   if (!data->GetPoints() || data->GetNumberOfPoints() == 0)
@@ -222,7 +222,8 @@ bool describe(
   moved.update(surface.mapper->GetVertexShader(), data, options.threads);
   SurfaceMesh& mesh = surface.mapper->GetInternals().Mesh;
   SurfaceNeeds needs = needsOf(property);
-  needs.triangles = options.backend == Backend::kReference || wantsLines(property);
+  needs.triangles =
+    options.backend == Backend::kReference || needsTriangles || wantsLines(property);
   if (const Status status = mesh.update(data, moved, needs, options.threads); !status.ok())
   {
     vtkErrorWithObjectMacro(surface.mapper, << status.message);

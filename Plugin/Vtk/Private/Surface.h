@@ -54,9 +54,10 @@ using FrameNormals = std::vector<std::shared_ptr<const SplitNormals>>;
 
 /// The surface as an instance of a scene, borrowing from the mapper, from `normals`, to which this
 /// adds, and from `textures`, without textures if that is nullptr. False, with a message, if there
-/// is nothing to draw or something is wrong with the mesh.
-bool describe(
-  const Surface& surface, Instance& instance, FrameNormals& normals, FrameTextures* textures);
+/// is nothing to draw or something is wrong with the mesh. With `needsTriangles` the instance has
+/// its MeshView's triangles, whatever draws it.
+bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
+  FrameTextures* textures, bool needsTriangles = false);
 
 /// Gives the instance, as describe() made it, the lines that its property asks for. False, with a
 /// message, if something is wrong with them.

@@ -4,12 +4,16 @@
 
 #include "vtkLimnProperty.h"
 
+#include "Rendering/Lines/Terminator.h"
+
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace limn::bridge
 {
@@ -45,7 +49,9 @@ double pixelsOf(vtkLimnProperty* property, double pixelsPerInch)
   }
 }
 
-LineStyle styleOf(vtkLimnProperty* property, double pixelsPerInch)
+} // namespace
+
+LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch)
 {
   LineStyle style;
   const double* const color = property->GetStrokeColor();
@@ -72,6 +78,9 @@ LineStyle styleOf(vtkLimnProperty* property, double pixelsPerInch)
   }
   return style;
 }
+
+namespace
+{
 
 vtkDataArray* idArrayOf(vtkLimnProperty* property, vtkPolyData* data)
 {
@@ -101,7 +110,7 @@ bool wantsLines(vtkProperty* property)
 {
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
   return limn && (kindsOf(limn) != 0 || limn->GetContourLines() || limn->GetSilhouetteLines() ||
-                   wantsCurves(limn));
+                   limn->GetTerminatorLines() || wantsCurves(limn));
 }
 
 bool SurfaceLines::NormalsVersion::operator==(const NormalsVersion& other) const
@@ -138,6 +147,7 @@ Status SurfaceLines::update(vtkIdType geometry, const Instance& instance, int th
   curvature_.clear();
   ridges_.reset();
   valleys_.reset();
+  terminators_.clear();
   const Status status = buildEdgeTable(instance.mesh, 0, threads, table_);
   if (status.ok())
   {
@@ -282,17 +292,61 @@ Status SurfaceLines::addContours(
   return {};
 }
 
+Status SurfaceLines::addTerminators(
+  vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame)
+{
+  const double creaseDegrees = property->GetCreaseAngle();
+  if (Status status = this->updateNormals(creaseDegrees, instance, view.threads); !status.ok())
+  {
+    return status;
+  }
+  FeatureArrays arrays;
+  arrays.vertexNormals = normals_.normals;
+  arrays.normalOfCorner = normals_.ofCorner;
+  const bool isOfAll = property->GetLineLights() == vtkLimnProperty::LINE_LIGHTS_ALL;
+  const std::size_t count =
+    isOfAll ? view.lights.size() : std::min<std::size_t>(1, view.lights.size());
+  std::vector<Terminator> terminators;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    Terminator one = { view.lights[i], instance.modelToWorld, creaseDegrees, {} };
+    const auto kept = std::find_if(terminators_.begin(), terminators_.end(),
+      [&one](const Terminator& other)
+      {
+        return one.light == other.light && one.creaseDegrees == other.creaseDegrees &&
+               std::memcmp(&one.place, &other.place, sizeof one.place) == 0;
+      });
+    one.lines =
+      kept != terminators_.end()
+        ? kept->lines
+        : std::make_shared<const ContourLines>(terminatorLines(
+            this->weldedMesh(instance.mesh), table_, arrays, one.light, one.place, view.threads));
+    frame.contours.push_back(one.lines);
+    terminators.push_back(std::move(one));
+  }
+  terminators_ = std::move(terminators);
+  return {};
+}
+
 void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
   const Instance& instance, FrameLines& frame)
 {
   this->updateCurvature(normalsVersion(property, data, instance), instance, view.threads);
   const CurvedSurface surface = this->curved(instance.mesh);
+  const CurveThresholds thresholds = { property->GetRidgeThreshold(),
+    property->GetSuggestiveThreshold() };
+  if (thresholds.ridge != ridgeThreshold_)
+  {
+    ridges_.reset();
+    valleys_.reset();
+    ridgeThreshold_ = thresholds.ridge;
+  }
   const auto extremes = [&](ExtremeKind kind, std::shared_ptr<const ContourLines>& kept)
   {
     if (!kept)
     {
-      kept =
-        std::make_shared<const ContourLines>(extremeLines(surface, table_, kind, {}, view.threads));
+      kept = std::make_shared<const ContourLines>(
+        extremeLines(surface, table_, kind, thresholds, view.threads));
     }
     frame.contours.push_back(kept);
   };
@@ -306,8 +360,8 @@ void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const
   }
   if (property->GetSuggestiveLines())
   {
-    frame.contours.push_back(std::make_shared<const ContourLines>(
-      suggestiveContours(surface, table_, view.camera, instance.modelToWorld, {}, view.threads)));
+    frame.contours.push_back(std::make_shared<const ContourLines>(suggestiveContours(
+      surface, table_, view.camera, instance.modelToWorld, thresholds, view.threads)));
   }
 }
 
@@ -336,11 +390,18 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
       return status;
     }
   }
+  if (property->GetTerminatorLines())
+  {
+    if (Status status = this->addTerminators(property, view, instance, frame); !status.ok())
+    {
+      return status;
+    }
+  }
   if (wantsCurves(property))
   {
     this->addCurves(property, data, view, instance, frame);
   }
-  const LineStyle style = styleOf(property, view.pixelsPerInch);
+  const LineStyle style = strokeStyleOf(property, view.pixelsPerInch);
   auto sets = std::make_unique<std::vector<LineSet>>();
   for (std::size_t i = firstEdges; i < frame.edges.size(); ++i)
   {

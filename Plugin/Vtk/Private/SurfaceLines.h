@@ -7,6 +7,7 @@
 #include "Rendering/Lines/SurfaceCurves.h"
 #include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Scene.h"
+#include "Rendering/Vertex/LightRays.h"
 
 #include "vtkType.h"
 
@@ -24,11 +25,15 @@ namespace limn::bridge
 /// Whether a property asks for lines of the mesh.
 bool wantsLines(vtkProperty* property);
 
+/// How a property's lines look.
+LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch);
+
 /// What all lines of one frame depend on.
 struct LineView
 {
   Camera camera;
   double pixelsPerInch = 72;
+  std::vector<LightRays> lights; ///< of those that are on; headlights last
   int threads = 0;
 };
 
@@ -88,6 +93,8 @@ private:
     const Instance& instance, FrameLines& frame);
   Status addContours(
     vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
+  Status addTerminators(
+    vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
   void addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
     const Instance& instance, FrameLines& frame);
 
@@ -103,6 +110,16 @@ private:
   NormalsVersion curvedNormals_;
   std::vector<VertexCurvature> curvature_;
   std::shared_ptr<const ContourLines> ridges_, valleys_;
+  double ridgeThreshold_ = -1; ///< of these
+  /// Of one light, as the mesh is placed.
+  struct Terminator
+  {
+    LightRays light;
+    Mat4d place;
+    double creaseDegrees;
+    std::shared_ptr<const ContourLines> lines;
+  };
+  std::vector<Terminator> terminators_;
 };
 
 } // namespace limn::bridge

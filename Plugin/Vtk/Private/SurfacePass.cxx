@@ -109,18 +109,35 @@ private:
   std::vector<Hull> translucent_;
 };
 
-Drawables describeAll(const std::vector<Surface>& surfaces, const LineView& view)
+/// Adds lines between surfaces, described already, to `drawables`.
+void describeSceneLines(const std::vector<const Surface*>& described, const LineView& view,
+  SceneLines& sceneLines, Drawables& drawables)
+{
+  const Status status = sceneLines.add(described, drawables.instances, view, drawables.lines);
+  if (!status.ok())
+  {
+    vtkErrorWithObjectMacro(
+      described[0]->actor, "Shadows and intersections have no lines: " << status.message);
+  }
+}
+
+Drawables describeAll(
+  const std::vector<Surface>& surfaces, const LineView& view, SceneLines& sceneLines)
 {
   Drawables drawables;
   Hulls hulls;
+  std::vector<const Surface*> described;
+  const bool hasSceneLines = std::any_of(surfaces.begin(), surfaces.end(),
+    [](const Surface& surface) { return wantsSceneLines(surface.actor->GetProperty()); });
   drawables.instances.reserve(surfaces.size());
   drawables.actors.reserve(surfaces.size());
   for (const Surface& surface : surfaces)
   {
     // In place: half a kilobyte each.
-    if (describe(
-          surface, drawables.instances.emplace_back(), drawables.normals, &drawables.textures))
+    if (describe(surface, drawables.instances.emplace_back(), drawables.normals,
+          &drawables.textures, hasSceneLines))
     {
+      described.push_back(&surface);
       describeLines(surface, view, drawables.instances.back(), drawables.lines);
       drawables.actors.push_back(surface.actor);
       if (Instance hull; describeHull(surface, hull))
@@ -133,8 +150,28 @@ Drawables describeAll(const std::vector<Surface>& surfaces, const LineView& view
       drawables.instances.pop_back();
     }
   }
+  if (hasSceneLines && !described.empty())
+  {
+    describeSceneLines(described, view, sceneLines, drawables);
+  }
   hulls.appendTo(drawables);
   return drawables;
+}
+
+std::vector<LightRays> raysOf(const std::vector<Light>& lights, const Camera& camera)
+{
+  std::vector<LightRays> rays;
+  for (const bool isHeadlight : { false, true })
+  {
+    for (const Light& light : lights)
+    {
+      if ((light.kind == LightKind::kHeadlight) == isHeadlight)
+      {
+        rays.push_back(lightRays(light, camera));
+      }
+    }
+  }
+  return rays;
 }
 
 /// As VTK's shaders without a light. The chapter's models keep to their equations.
@@ -304,7 +341,9 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   view.camera = cameraOf(renderer_);
   view.pixelsPerInch = renderer_->GetRenderWindow()->GetDPI();
   view.threads = EngineState::instance().options.threads;
-  Drawables drawables = describeAll(surfaces, view);
+  const std::vector<Light> lights = lightsOf(renderer_);
+  view.lights = raysOf(lights, view.camera);
+  Drawables drawables = describeAll(surfaces, view, sceneLines_);
   if (drawables.instances.empty())
   {
     return;
@@ -320,7 +359,6 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
       drawables.instances[i].id = target->GetFrame().NumberOf(drawables.actors[i]);
     }
   }
-  const std::vector<Light> lights = lightsOf(renderer_);
   Scene scene;
   scene.camera = view.camera;
   scene.ambientLight = ambientLightOf(renderer_);

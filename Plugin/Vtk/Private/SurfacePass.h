@@ -3,6 +3,7 @@
 #ifndef SurfacePass_h
 #define SurfacePass_h
 
+#include "SceneLines.h"
 #include "Surface.h"
 #include "ViewportEffects.h"
 
@@ -91,6 +92,7 @@ private:
   };
   std::unordered_map<vtkActor*, Due> due_;
 
+  SceneLines sceneLines_;
   ViewportEffects effects_;
   bool hasWarnedOfTruncation_ = false;
 
