@@ -72,6 +72,20 @@ bool hasPlacedLight(const SceneSettings& scene)
     [](const LightSettings& light) { return light.kind != LightKind::Headlight; });
 }
 
+/// In points or millimetres: those in pixels are checked as they are read.
+void checkStrokeWidth(const StrokeWidth& width, double pixelsPerInch)
+{
+  const double unitsPerInch[] = { pixelsPerInch, 72, 25.4 }; // in the order of StrokeUnits
+  const double pixels = width.value * pixelsPerInch / unitsPerInch[width.unit];
+  if (width.unit != 0 && pixels > kMaxStrokePixels)
+  {
+    std::ostringstream text;
+    text << "--stroke-width is " << pixels << " pixels at " << pixelsPerInch
+         << " dpi; lines are at most " << kMaxStrokePixels << " wide";
+    throw UserError(text.str());
+  }
+}
+
 void checkLines(const SceneSettings& scene)
 {
   const LineSettings& lines = scene.lines;
@@ -116,6 +130,10 @@ void checkLines(const SceneSettings& scene)
   if (lines.idArray && !has(LineKind::Ids))
   {
     throw UserError("--ids-array needs --lines=ids");
+  }
+  if (lines.width)
+  {
+    checkStrokeWidth(*lines.width, scene.pixelsPerInch.value_or(72));
   }
   if (scene.pixelsPerInch && (!lines.width || lines.width->unit == 0) && scene.style != "print")
   {
@@ -289,7 +307,7 @@ void requirePng(const std::string& option, const std::string& file)
 /// All files that are written.
 void checkOutputs(const RenderSettings& settings)
 {
-  if (settings.output.empty())
+  if (settings.output.empty() && !settings.maps.any() && settings.toneLegend.empty())
   {
     throw UserError("no output is named; add --output=FILE.png");
   }
@@ -373,6 +391,7 @@ Request parseRender(const Arguments& arguments)
   }
   takePictures(scene.material);
   checkStyle(scene);
+  checkShownByStyle(scene);
   checkScene(scene, "render");
   checkShading(scene.material);
   checkIllustration(scene.material);

@@ -5,6 +5,8 @@
 #include "RenderSettings.h"
 #include "UserError.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <utility>
 
@@ -127,6 +129,47 @@ void checkStyle(const SceneSettings& scene)
     if (isGiven && !scene.style.empty())
     {
       throw UserError(std::string("--style and ") + option + " exclude each other; give one");
+    }
+  }
+}
+
+void checkShownByStyle(const SceneSettings& scene)
+{
+  if (scene.style.empty())
+  {
+    return;
+  }
+  const auto isOneOf = [&scene](std::initializer_list<const char*> names)
+  { return std::find(names.begin(), names.end(), scene.style) != names.end(); };
+  const MaterialSettings& material = scene.material;
+  const MaterialSettings usual;
+  const bool hasLight = isOneOf({ "plain" });
+  const bool hasHighlight = isOneOf({ "plain", "technical", "gooch" });
+  const bool hasColor = !isOneOf({ "blueprint", "pencil", "ink", "metal", "print" });
+  const bool hasShades = !isOneOf({ "blueprint", "ink" });
+  const struct
+  {
+    const char* option;
+    bool isGiven, isShown;
+  } options[] = {
+    { "--color", material.color.has_value(), hasColor },
+    { "--diffuse", material.diffuse.has_value(), hasColor },
+    { "--procedural", scene.texture.procedural != Procedural::None, hasColor },
+    { "--coloring-array", !scene.coloring.array.empty(), hasColor },
+    { "--specular", material.specular != usual.specular, hasHighlight },
+    { "--specular-power", material.specularPower != usual.specularPower, hasHighlight },
+    { "--shading", material.shading != usual.shading, hasShades },
+    { "--normals", material.normals.has_value(), hasShades },
+    { "--feature-angle", material.featureAngleDegrees.has_value(), hasShades },
+    { "--light", !scene.lights.empty(), hasLight },
+    { "--ambient", material.ambient.has_value(), hasLight },
+    { "--ambient-light", scene.ambientLight != Color{ 0, 0, 0 }, false },
+  };
+  for (const auto& [option, isGiven, isShown] : options)
+  {
+    if (isGiven && !isShown)
+    {
+      throw UserError("--style=" + scene.style + " does not show " + option + "; leave it out");
     }
   }
 }

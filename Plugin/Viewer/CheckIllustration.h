@@ -15,6 +15,10 @@ void takePictures(MaterialSettings& material);
 /// Throws UserError where a style and what it decides on are both asked for.
 void checkStyle(const SceneSettings& scene);
 
+/// Throws UserError for an option that the style does not show. For a picture alone: in a window a
+/// key chooses the style.
+void checkShownByStyle(const SceneSettings& scene);
+
 /// Throws UserError for an option that the picture would not show. For a picture alone: in a window
 /// keys choose tone and outline.
 void checkIllustration(const MaterialSettings& material);

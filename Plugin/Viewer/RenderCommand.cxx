@@ -74,7 +74,23 @@ std::vector<DrawnPicture> drawMaps(const MapSettings& maps, vtkLimnRenderWindow&
   return drawn;
 }
 
-/// All that is to be written.
+/// What the window shows.
+vtkSmartPointer<vtkImageData> pictureOf(vtkRenderWindow& window, bool hasAlpha)
+{
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(&window);
+  grabber->ShouldRerenderOff();
+  grabber->ReadFrontBufferOff();
+  if (hasAlpha)
+  {
+    grabber->SetInputBufferTypeToRGBA();
+  }
+  grabber->Update();
+  throwCollectedErrors();
+  return grabber->GetOutput();
+}
+
+/// All that is to be written, but for the legend.
 std::vector<DrawnPicture> drawPictures(
   const RenderSettings& settings, const std::vector<Mesh>& meshes)
 {
@@ -96,17 +112,11 @@ std::vector<DrawnPicture> drawPictures(
   opened.window->Render();
   throwCollectedErrors();
 
-  vtkNew<vtkWindowToImageFilter> grabber;
-  grabber->SetInput(opened.window);
-  grabber->ShouldRerenderOff();
-  grabber->ReadFrontBufferOff();
-  if (settings.transparentBackground)
+  std::vector<DrawnPicture> drawn;
+  if (!settings.output.empty())
   {
-    grabber->SetInputBufferTypeToRGBA();
+    drawn.push_back({ settings.output, pictureOf(*opened.window, settings.transparentBackground) });
   }
-  grabber->Update();
-  throwCollectedErrors();
-  std::vector<DrawnPicture> drawn = { { settings.output, grabber->GetOutput() } };
   if (settings.maps.any())
   {
     for (DrawnPicture& map : drawMaps(settings.maps, *limnWindow))

@@ -276,6 +276,9 @@ enum class LineLights
   All
 };
 
+/// Of lines, in pixels.
+inline constexpr double kMaxStrokePixels = 256;
+
 struct StrokeWidth
 {
   double value;

@@ -296,6 +296,16 @@ std::vector<LineKind> parseLineKinds(Text option, Text text)
   return kinds;
 }
 
+double parsePixels(Text option, Text text, Text digits)
+{
+  const double pixels = parsePositive(option, digits);
+  if (pixels > kMaxStrokePixels)
+  {
+    throw UserError(option + "=" + text + " is greater than 256 pixels");
+  }
+  return pixels;
+}
+
 StrokeWidth parseStrokeWidth(Text option, Text text)
 {
   const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
@@ -304,10 +314,12 @@ StrokeWidth parseStrokeWidth(Text option, Text text)
     const std::size_t digits = text.size() < 2 ? 0 : text.size() - 2;
     if (text.compare(digits, 2, units[unit]) == 0)
     {
-      return { parsePositive(option, text.substr(0, digits)), unit };
+      const std::string number = text.substr(0, digits);
+      return { unit == 0 ? parsePixels(option, text, number) : parsePositive(option, number),
+        unit };
     }
   }
-  return { parsePositive(option, text), 0 };
+  return { parsePixels(option, text, text), 0 };
 }
 
 std::array<double, 2> parseDash(Text option, Text text)

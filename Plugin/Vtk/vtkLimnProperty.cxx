@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLimnProperty.h"
 
+#include "Private/StyleMemory.h"
 #include "vtkLimnSurfaceShader.h"
 
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkSmartPointer.h"
 #include "vtkTexture.h"
@@ -294,6 +297,9 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   {
     return;
   }
+  // With what its style has replaced, so that the next one finds it; without, that of a style that
+  // this one had.
+  this->GetInformation()->CopyEntry(other->GetInformation(), limn::bridge::opacityBeforeStyles());
   this->SetShadingFrequency(other->ShadingFrequency);
   this->SetFlatPoint(other->FlatPoint);
   this->SetVertexNormals(other->VertexNormals);

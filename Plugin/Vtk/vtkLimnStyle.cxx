@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLimnStyle.h"
 
+#include "Private/StyleMemory.h"
+
 #include "vtkLimnPolyDataMapper.h"
 #include "vtkLimnProperty.h"
 
@@ -216,8 +218,7 @@ const Style* FindOrReport(const char* name)
 // What was there before the first style.
 vtkInformationDoubleKey* OpacityKey()
 {
-  static auto* const key = vtkInformationDoubleKey::MakeKey("OPACITY", "vtkLimnStyle");
-  return key;
+  return limn::bridge::opacityBeforeStyles();
 }
 vtkInformationDoubleVectorKey* BackgroundKey()
 {
@@ -243,7 +244,8 @@ void Reset(vtkLimnProperty* property)
   property->GetAllTextures().swap(textures);
   vtkNew<vtkLimnProperty> fresh;
   fresh->vtkProperty::DeepCopy(property); // nothing that is Limn's
-  fresh->SetOpacity(FirstOpacity(property));
+  const double opacity = FirstOpacity(property);
+  fresh->SetOpacity(opacity);
   fresh->SetShadingFrequency(property->GetShadingFrequency());
   fresh->SetFlatPoint(property->GetFlatPoint());
   fresh->SetVertexNormals(property->GetVertexNormals());
@@ -262,6 +264,7 @@ void Reset(vtkLimnProperty* property)
   fresh->SetBumpTexture(property->GetBumpTexture());
   fresh->SetBumpScale(property->GetBumpScale());
   property->DeepCopy(fresh);
+  property->GetInformation()->Set(OpacityKey(), opacity);
   property->GetAllTextures().swap(textures);
 }
 
@@ -317,6 +320,17 @@ std::set<vtkActor*> ActorsOf(vtkRenderer* renderer)
   return actors;
 }
 }
+
+namespace limn::bridge
+{
+
+vtkInformationDoubleKey* opacityBeforeStyles()
+{
+  static auto* const key = vtkInformationDoubleKey::MakeKey("OPACITY", "vtkLimnStyle");
+  return key;
+}
+
+} // namespace limn::bridge
 
 vtkStandardNewMacro(vtkLimnStyle);
 

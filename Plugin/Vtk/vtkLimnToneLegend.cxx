@@ -223,6 +223,12 @@ double vtkLimnToneLegend::FindLegendSafeRange(vtkScalarsToColors* table, double 
 {
   constexpr int Steps = 100;
   constexpr double Step = 0.5;
+  if (!std::isfinite(error) || error < 0)
+  {
+    vtkGenericWarningMacro("No range of lightness keeps an error of "
+                           << error << "; it has to be a finite number, not negative.");
+    return 0;
+  }
   vtkNew<vtkLimnProperty> property;
   property->SetToneToGooch();
   property->SetToneOverDataToLegendSafe();

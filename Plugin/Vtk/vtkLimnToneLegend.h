@@ -85,7 +85,8 @@ public:
   /**
    * The most of vtkLimnProperty's LegendSafeRange, in steps of 0.5 up to 50, up to which the error
    * of GetReadBackError() stays at or below `error`. Maps whose values lie in their lightness
-   * alone, as a grey scale's, allow little.
+   * alone, as a grey scale's, allow little. 0 without a table, and, with a warning, for an error
+   * that is negative or not finite.
    */
   static double FindLegendSafeRange(vtkScalarsToColors* table, double error);
 

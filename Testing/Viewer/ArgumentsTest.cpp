@@ -194,6 +194,21 @@ TEST(Arguments, AStyleTakesThePlaceOfWhatItDecidesOn)
     "--style and --tone exclude each other; give one");
 }
 
+TEST(Arguments, WhatAStyleDoesNotShowIsRefused)
+{
+  const auto error = [](const std::string& style, const std::string& option) {
+    return renderErrorOf({ "--style=" + style, option });
+  };
+  EXPECT_EQ(error("ink", "--color=1,0,0"), "--style=ink does not show --color; leave it out");
+  EXPECT_EQ(error("toon", "--color=1,0,0"), "");
+  EXPECT_EQ(
+    error("metal", "--procedural=wood"), "--style=metal does not show --procedural; leave it out");
+  EXPECT_EQ(error("technical", "--light=headlight"),
+    "--style=technical does not show --light; leave it out");
+  EXPECT_EQ(errorOf({ "view", "a.obj", "--style=ink", "--color=1,0,0" }), "")
+    << "a key changes the style";
+}
+
 TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
 {
   const struct
@@ -228,6 +243,13 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },
       "--stroke-width=2in is not a finite number, as in --stroke-width=1.5" },
+    { { "--lines=border", "--stroke-width=300px" },
+      "--stroke-width=300px is greater than 256 pixels" },
+    { { "--lines=border", "--stroke-width=257" }, "--stroke-width=257 is greater than 256 pixels" },
+    { { "--lines=border", "--stroke-width=100mm" },
+      "--stroke-width is 283.465 pixels at 72 dpi; lines are at most 256 wide" },
+    { { "--lines=border", "--stroke-width=72pt", "--dpi=300" },
+      "--stroke-width is 300 pixels at 300 dpi; lines are at most 256 wide" },
     { { "--lines=border", "--stroke-taper=-1" }, "--stroke-taper=-1 is negative" },
     { { "--lines=border", "--stroke-dash=3,0" },
       "--stroke-dash=3,0: dash and gap have to be above 0, and together half a pixel" },
@@ -604,6 +626,11 @@ TEST(Arguments, WhatIsMissingIsNamed)
   EXPECT_EQ(errorOf({ "view" }), "no mesh is named; give one, as in: limn view teapot.obj");
   EXPECT_EQ(errorOf({ "info" }), "no mesh is named; give one, as in: limn info teapot.obj");
   EXPECT_EQ(errorOf({ "render", "a.obj" }), "no output is named; add --output=FILE.png");
+  for (const std::string map :
+    { "--output-ids=x.png", "--output-depth=x.png", "--output-normals=x.png" })
+  {
+    EXPECT_EQ(errorOf({ "render", "a.obj", map }), "");
+  }
   EXPECT_NE(errorOf({ "render", "a.obj", "--output" }).find("--output"), std::string::npos);
   EXPECT_EQ(errorOf({ "compare", "a.png" }),
     "compare takes two pictures, got 1; as in: limn compare A.png B.png");

@@ -87,6 +87,43 @@ TEST_F(Render, TheToneLegendIsAPictureOfItsOwn)
   EXPECT_NE(bytesOf(folder_.file("legend.png")), viridis);
 }
 
+TEST_F(Render, MapsNeedNoPicture)
+{
+  const std::string map = "--output-ids=" + folder_.file("ids.png");
+  draw("teapot.obj", { map });
+  const std::string beside = bytesOf(folder_.file("ids.png"));
+  const Folder other;
+  const Outcome outcome = runLimn({ "render", meshFile("teapot.obj"), "--resolution=200,120",
+    "--output-ids=" + other.file("ids.png") });
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(other.names(), Words{ "ids.png" });
+  EXPECT_EQ(bytesOf(other.file("ids.png")), beside);
+}
+
+// What a style takes it shows; it refuses the rest.
+TEST_F(Render, AStyleShowsWhatItDoesNotRefuse)
+{
+  const Words options = { "--color=0.9,0.2,0.1", "--diffuse=0.3,0.3,0.3", "--procedural=checker",
+    "--coloring-array=region", "--specular=1,1,1", "--specular-power=90", "--shading=flat",
+    "--normals=uniform", "--feature-angle=1", "--light=directional:1,-1,0.5:1,1,1",
+    "--ambient=0.5,0.1,0.1", "--ambient-light=0.5,0.5,0.5" };
+  int refused = 0;
+  for (const std::string style : { "plain", "technical", "gooch", "toon", "blueprint", "pencil",
+         "ink", "anatomy", "metal", "xray", "print" })
+  {
+    for (const std::string& option : options)
+    {
+      const std::string mesh = option.rfind("--coloring", 0) == 0 ? "waves.vtp" : "globe.obj";
+      const std::string bare = draw(mesh, { "--style=" + style });
+      const Outcome outcome = runLimn({ "render", meshFile(mesh), "--resolution=200,120",
+        "--output=" + output_, "--style=" + style, option });
+      refused += outcome.status == 2 ? 1 : 0;
+      EXPECT_EQ(outcome.status == 2, bytesOf(output_) == bare) << style << ' ' << option;
+    }
+  }
+  EXPECT_GT(refused, 50);
+}
+
 TEST_F(Render, WhatIsNamedBesideAStyleHolds)
 {
   const std::string xray = draw("teapot.obj", { "--style=xray" });

@@ -479,6 +479,25 @@ void checkUnusableValues()
 }
 }
 
+namespace
+{
+/// Named as the property names it, and the surface is drawn.
+void checkTooWide()
+{
+  LineStage stage;
+  stage.Mapper->SetInputData(squareOf(20, 20, 0, 40));
+  stage.Property->SetStrokeUnitToMillimeters();
+  stage.Property->SetStrokeWidth(100);
+  const Messages messages;
+  for (const bool isBorder : { true, false })
+  {
+    stage.Property->SetBorderLines(isBorder);
+    CHECK_EQUAL(render(stage.Window).At(40, 40)[2], 255);
+    CHECK_EQUAL(messages.Count("StrokeWidth of its vtkLimnProperty is 283.465 pixels"), 1);
+  }
+}
+}
+
 int TestLimnLines(int, char*[])
 {
   checkBorders();
@@ -493,6 +512,7 @@ int TestLimnLines(int, char*[])
   checkThresholds();
   checkChangedNormals();
   checkDashAlone();
+  checkTooWide();
   checkUnusableValues();
   return result();
 }

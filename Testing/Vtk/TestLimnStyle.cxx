@@ -166,6 +166,29 @@ void checkProperties()
   CHECK(applied(spheres.Renderer, "technical"));
   CHECK(limn->GetOpacity() == 0.6 && spheres.Renderer->GetBackground()[0] == 0.25);
 }
+
+/// A copy of a styled property knows what the style replaced, and one of a plain property forgets
+/// what it knew.
+void checkCopies()
+{
+  vtkNew<vtkLimnProperty> property;
+  property->SetOpacity(0.6);
+  CHECK(vtkLimnStyle::Apply(property, "xray"));
+  vtkNew<vtkLimnProperty> copy;
+  copy->DeepCopy(property);
+  CHECK(copy->GetOpacity() == property->GetOpacity() && copy->GetOpacity() != 0.6);
+  CHECK(vtkLimnStyle::Apply(copy, "ink"));
+  CHECK_EQUAL(copy->GetOpacity(), 0.6);
+  CHECK(vtkLimnStyle::Apply(copy, "xray"));
+  CHECK(vtkLimnStyle::Apply(copy, "plain"));
+  CHECK_EQUAL(copy->GetOpacity(), 0.6);
+
+  vtkNew<vtkLimnProperty> plain;
+  plain->SetOpacity(0.3);
+  property->DeepCopy(plain);
+  CHECK(vtkLimnStyle::Apply(property, "plain"));
+  CHECK_EQUAL(property->GetOpacity(), 0.3);
+}
 }
 
 int TestLimnStyle(int, char*[])
@@ -175,5 +198,6 @@ int TestLimnStyle(int, char*[])
   checkPictures();
   checkColors();
   checkProperties();
+  checkCopies();
   return result();
 }

@@ -232,6 +232,12 @@ void checkErrors()
   CHECK(legend->GetImage() == nullptr);
   CHECK(messages.GetText().find("Undertone") != std::string::npos);
   CHECK_EQUAL(vtkLimnToneLegend::FindLegendSafeRange(nullptr, 0.04), 0.0);
+  for (const double error :
+    { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), -0.01 })
+  {
+    CHECK_EQUAL(vtkLimnToneLegend::FindLegendSafeRange(makeTable(), error), 0.0);
+  }
+  CHECK_EQUAL(messages.Count("No range of lightness"), 3);
 }
 
 void checkCopy()

@@ -147,6 +147,10 @@ Status SceneLines::add(const std::vector<const Surface*>& surfaces,
     }
     const LineStyle style = strokeStyleOf(
       vtkLimnProperty::SafeDownCast(surfaces[i]->actor->GetProperty()), view.pixelsPerInch);
+    if (Status status = checkStroke(style); !status.ok())
+    {
+      return status;
+    }
     const Span<const LineSet> before = instances[i].lines;
     auto sets = std::make_unique<std::vector<LineSet>>(before.begin(), before.end());
     for (const Lines& lines : lines_[i])

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <sstream>
 #include <utility>
 
 namespace limn::bridge
@@ -77,6 +78,24 @@ LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch)
       style.hidden = HiddenLines::kOff;
   }
   return style;
+}
+
+Status checkStroke(const LineStyle& style)
+{
+  const std::pair<const char*, float> all[] = { { "StrokeWidth", style.width },
+    { "OuterWidthFactor", style.outerFactor } };
+  for (const auto& [name, value] : all)
+  {
+    if (!(value <= kMaxLineWidth))
+    {
+      std::ostringstream text;
+      text << name << " of its vtkLimnProperty is " << value
+           << (name == all[0].first ? " pixels" : "") << "; it has to be at most " << kMaxLineWidth
+           << ".";
+      return { Error::kNotFinite, text.str() };
+    }
+  }
+  return {};
 }
 
 namespace
@@ -368,6 +387,11 @@ void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const
 Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType geometry,
   const LineView& view, Instance& instance, FrameLines& frame)
 {
+  const LineStyle style = strokeStyleOf(property, view.pixelsPerInch);
+  if (Status status = checkStroke(style); !status.ok())
+  {
+    return status;
+  }
   if (Status status = this->update(geometry, instance, view.threads); !status.ok())
   {
     return status;
@@ -401,7 +425,6 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
   {
     this->addCurves(property, data, view, instance, frame);
   }
-  const LineStyle style = strokeStyleOf(property, view.pixelsPerInch);
   auto sets = std::make_unique<std::vector<LineSet>>();
   for (std::size_t i = firstEdges; i < frame.edges.size(); ++i)
   {

@@ -27,6 +27,8 @@ bool wantsLines(vtkProperty* property);
 
 /// How a property's lines look.
 LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch);
+/// Whether they can be drawn; an error names what is at fault as the property does.
+Status checkStroke(const LineStyle& style);
 
 /// What all lines of one frame depend on.
 struct LineView
