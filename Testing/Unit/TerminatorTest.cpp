@@ -66,6 +66,31 @@ double length(const ContourLines& lines)
 
 constexpr double kPi = 3.14159265358979323846;
 
+TEST(LightRays, ComeFromWhereTheLightIs)
+{
+  Camera camera = kAnyCamera;
+  // Looks along x: its z axis is -x of the world.
+  camera.worldToView = {{{0, 0, 1, 0}, {0, 1, 0, 0}, {-1, 0, 0, 0}, {0, 0, 0, 1}}};
+  Light light;
+  light.position = {1, 2, 3};
+  light.direction = {0, -2, 0};
+  const LightRays head = lightRays(light, camera);
+  EXPECT_TRUE(head.isParallel && head.source == (Vec3d{-1, 0, 0}));
+  light.kind = LightKind::kDirectional;
+  EXPECT_TRUE(lightRays(light, camera).isParallel);
+  EXPECT_EQ(lightRays(light, camera).towardLight({9, 9, 9}), (Vec3d{0, 1, 0}));
+  for (const LightKind kind : {LightKind::kPoint, LightKind::kSphere, LightKind::kRectangle}) {
+    light.kind = kind;
+    const LightRays rays = lightRays(light, camera);
+    EXPECT_FALSE(rays.isParallel || rays.isCone);
+    EXPECT_EQ(rays.towardLight({1, 1, 1}), (Vec3d{0, 1, 2}));
+  }
+  light.kind = LightKind::kSpot;
+  const LightRays spot = lightRays(light, camera);
+  EXPECT_TRUE(spot.holds({1, -1, 3}) && spot.holds({2, -1, 3}));
+  EXPECT_FALSE(spot.holds({1, 3, 3}) || spot.holds({3, -1, 3}));
+}
+
 TEST(Terminator, OfASphereInADirectionalLightIsAGreatCircleAcrossIt)
 {
   const OwnedMesh sphere = testing::sphere(40, 64);
