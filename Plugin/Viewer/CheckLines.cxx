@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CheckLines.h"
+
+#include "RenderSettings.h"
+#include "UserError.h"
+
+#include <algorithm>
+#include <sstream>
+#include <string>
+#include <utility>
+
+namespace limn::viewer
+{
+namespace
+{
+
+/// A headlight's terminator is the contour, and its shadows lie behind what casts them.
+bool hasPlacedLight(const SceneSettings& scene)
+{
+  return std::any_of(scene.lights.begin(), scene.lights.end(),
+    [](const LightSettings& light) { return light.kind != LightKind::Headlight; });
+}
+
+/// In points or millimetres: those in pixels are checked as they are read.
+void checkStrokeWidth(const StrokeWidth& width, double pixelsPerInch)
+{
+  const double unitsPerInch[] = { pixelsPerInch, 72, 25.4 }; // in the order of StrokeUnits
+  const double pixels = width.value * pixelsPerInch / unitsPerInch[width.unit];
+  if (width.unit != 0 && pixels > kMaxStrokePixels)
+  {
+    std::ostringstream text;
+    text << "--stroke-width is " << pixels << " pixels at " << pixelsPerInch
+         << " dpi; lines are at most " << kMaxStrokePixels << " wide";
+    throw UserError(text.str());
+  }
+}
+
+} // namespace
+
+void checkLines(const SceneSettings& scene)
+{
+  const LineSettings& lines = scene.lines;
+  const auto has = [&](LineKind kind)
+  { return std::find(lines.kinds.begin(), lines.kinds.end(), kind) != lines.kinds.end(); };
+  const std::pair<const char*, bool> options[] = { { "--stroke-width", lines.width.has_value() },
+    { "--outer-width", lines.outerWidth.has_value() },
+    { "--stroke-color", lines.color.has_value() },
+    { "--stroke-opacity", lines.opacity.has_value() },
+    { "--stroke-taper", lines.taper.has_value() }, { "--stroke-dash", lines.dash.has_value() },
+    { "--hidden-lines", lines.hidden.has_value() } };
+  for (const auto& [name, isGiven] : options)
+  {
+    if (isGiven && lines.kinds.empty() && scene.style.empty())
+    {
+      throw UserError(std::string(name) + " needs lines; add --lines=crease or another kind");
+    }
+  }
+  const bool isOfLight = has(LineKind::Terminator) || has(LineKind::Shadow);
+  if (lines.creaseAngleDegrees && !has(LineKind::Crease) && !has(LineKind::Contour) && !isOfLight &&
+      scene.style.empty())
+  {
+    throw UserError("--crease-angle needs --lines=crease, --lines=contour, terminator or shadow");
+  }
+  if (lines.ridgeThreshold && !has(LineKind::Ridge) && !has(LineKind::Valley))
+  {
+    throw UserError("--ridge-threshold needs --lines=ridge or --lines=valley");
+  }
+  if (lines.suggestiveThreshold && !has(LineKind::Suggestive))
+  {
+    throw UserError("--suggestive-threshold needs --lines=suggestive");
+  }
+  if (lines.lights && !isOfLight)
+  {
+    throw UserError("--line-lights needs --lines=terminator or --lines=shadow");
+  }
+  if (isOfLight && !hasPlacedLight(scene))
+  {
+    throw UserError(std::string("--lines=") + (has(LineKind::Shadow) ? "shadow" : "terminator") +
+                    " needs a light beside the camera; add --light=directional:1,-1,-1:1,1,1");
+  }
+  if (lines.idArray && !has(LineKind::Ids))
+  {
+    throw UserError("--ids-array needs --lines=ids");
+  }
+  if (lines.width)
+  {
+    checkStrokeWidth(*lines.width, scene.pixelsPerInch.value_or(72));
+  }
+  if (scene.pixelsPerInch && (!lines.width || lines.width->unit == 0) && scene.style != "print")
+  {
+    throw UserError("--dpi needs --stroke-width in pt or mm, or --style=print");
+  }
+}
+
+} // namespace limn::viewer
