@@ -195,6 +195,7 @@ ContourLines intersectionLines(const WorldMesh& world, Span<const CutPiece> piec
     links.push_back({numberOf(piece->end[0]), numberOf(piece->end[1]), piece->triangle[0]});
   ContourLines lines;
   chainLinks(links, ends.size(), lines.chains, nullptr);
+  lines.points.reserve(ends.size());
   for (const CutPoint& end : ends)
     lines.points.push_back(transformPoint(worldToModel, end.place));
   return lines;

@@ -118,6 +118,13 @@ draw knot_gooch_hull "Gooch with such an outline" "$meshes/knot.obj" --tone=gooc
   --outline-width=3 --samples=8 "$lamp"
 draw knot_gooch_outline "Gooch with the other" "$meshes/knot.obj" --tone=gooch --outline=normal "$lamp"
 
+draw knot_shadow_lines "Lines where the light ends: terminators and borders of cast shadows" "$meshes/knot.obj" --color=1,1,1 \
+  --light=directional:-1,-0.5,-0.5:0.6,0.6,0.6 --ambient-light=0.45,0.45,0.45 --lines=contour,terminator,shadow \
+  --stroke-width=1.4 --samples=8
+draw intersection_lines "Lines where parts run into each other" "$meshes/torus.off" "$meshes/sphere.ply" --feature-angle=40 \
+  --color=0.95,0.93,0.88 --light=directional:1,-1.2,-0.6:0.7,0.7,0.7 --ambient-light=0.4,0.4,0.4 \
+  --lines=contour,intersections,terminator,shadow --stroke-width=1.4 --samples=8
+
 section "Styles" "By one word: vtkLimnStyle in a program, --style on the command line. First, as VTK draws surfaces."
 draw style_plain "plain" "$teapot" --style=plain --samples=8
 draw style_technical "technical" "$meshes/gear.stl" --style=technical --samples=8

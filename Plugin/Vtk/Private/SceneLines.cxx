@@ -9,7 +9,6 @@
 #include "vtkActor.h"
 
 #include <algorithm>
-#include <cstring>
 #include <utility>
 
 namespace limn::bridge
@@ -23,10 +22,9 @@ bool wantsSceneLines(vtkProperty* property)
 
 bool SceneLines::Body::operator==(const Body& other) const
 {
-  return mapper == other.mapper && geometry == other.geometry &&
-         std::memcmp(&place, &other.place, sizeof place) == 0 && castsShadow == other.castsShadow &&
-         isCut == other.isCut && hasAllLights == other.hasAllLights &&
-         creaseDegrees == other.creaseDegrees;
+  return mapper == other.mapper && geometry == other.geometry && isSamePlace(place, other.place) &&
+         castsShadow == other.castsShadow && isCut == other.isCut &&
+         hasAllLights == other.hasAllLights && creaseDegrees == other.creaseDegrees;
 }
 
 SceneLines::Body SceneLines::bodyOf(const Surface& surface)
@@ -118,6 +116,7 @@ Status SceneLines::add(const std::vector<const Surface*>& surfaces,
   std::vector<Instance>& instances, const LineView& view, FrameLines& frame)
 {
   std::vector<Body> bodies;
+  bodies.reserve(surfaces.size());
   for (const Surface* const surface : surfaces)
   {
     bodies.push_back(bodyOf(*surface));

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <sstream>
 #include <utility>
 
@@ -78,6 +79,18 @@ LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch)
       style.hidden = HiddenLines::kOff;
   }
   return style;
+}
+
+bool isSamePlace(const Mat4d& a, const Mat4d& b)
+{
+  for (int row = 0; row < 4; ++row)
+  {
+    if (!std::equal(std::begin(a.m[row]), std::end(a.m[row]), std::begin(b.m[row])))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 Status checkStroke(const LineStyle& style)
@@ -333,7 +346,7 @@ Status SurfaceLines::addTerminators(
       [&one](const Terminator& other)
       {
         return one.light == other.light && one.creaseDegrees == other.creaseDegrees &&
-               std::memcmp(&one.place, &other.place, sizeof one.place) == 0;
+               isSamePlace(one.place, other.place);
       });
     one.lines =
       kept != terminators_.end()

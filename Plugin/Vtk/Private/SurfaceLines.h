@@ -39,6 +39,9 @@ struct LineView
   int threads = 0;
 };
 
+/// Number by number, so that what is kept for one is right for the other.
+bool isSamePlace(const Mat4d& a, const Mat4d& b);
+
 /// Owns the lines of a frame's instances.
 struct FrameLines
 {
