@@ -174,6 +174,27 @@ Status checkMaterial(const Instance& instance, InstanceName name)
   return {};
 }
 
+Status checkCues(const DepthCues& cues, InstanceName name)
+{
+  const auto isShare = [](float radius, float most) { return radius > 0 && radius <= most; };
+  if (!areNotNegative({cues.eyeDome.strength}) || cues.eyeDome.strength > kMaxCueStrength ||
+      !isShare(cues.eyeDome.radius, kMaxEyeDomeRadius))
+    return {
+        Error::kNotFinite,
+        name + ": eye-dome lighting needs a strength of 0 to 100 and a radius above 0 to 0.02."};
+  if (!areNotNegative({cues.unsharp.strength}) || cues.unsharp.strength > 1 ||
+      !isShare(cues.unsharp.radius, kMaxUnsharpRadius))
+    return {
+        Error::kNotFinite,
+        name + ": a depth unsharp mask needs a strength of 0 to 1 and a radius above 0 to 0.1."};
+  if (!areNotNegative({cues.halo.width, cues.halo.depth}) || cues.halo.width > kMaxHaloWidth ||
+      cues.halo.depth <= 0 || !isNotNegative(cues.halo.color))
+    return {Error::kNotFinite, name +
+                                   ": a halo has to be 0 to 64 pixels wide, its depth above 0 "
+                                   "and its colour not negative."};
+  return {};
+}
+
 Status checkRamp(const Style& style, InstanceName name)
 {
   if (style.tone != Tone::kRamp && style.tone != Tone::kMatCap) return {};
@@ -185,6 +206,27 @@ Status checkRamp(const Style& style, InstanceName name)
       !(isRange || (ramp.nearest == 0 && ramp.farthest == 0)))
     return {Error::kNotFinite,
             name + ": its ramp has a negative exponent or a range that is not 0 < a < b."};
+  return {};
+}
+
+Status checkHatching(const Instance& instance, InstanceName name)
+{
+  if (instance.style.tone != Tone::kHatching) return {};
+  const Hatching& hatching = instance.style.hatching;
+  if (!isNotNegative(hatching.paper) || !isNotNegative(hatching.ink) ||
+      !(hatching.darkest >= 0 && hatching.darkest <= 1))
+    return {Error::kNotFinite,
+            name +
+                ": a colour of its hatching is negative or not finite, or its darkest tone not "
+                "0 to 1."};
+  if (!(hatching.spacing >= 1 && hatching.spacing <= kMaxHatchSpacing))
+    return {Error::kNotFinite, name +
+                                   ": the strokes of its hatching have to be 1 to 256 pixels "
+                                   "apart."};
+  if (hatching.place == HatchPlace::kTexture && instance.attributes.uv.empty() &&
+      !instance.mesh.triangles.empty())
+    return {Error::kMissingData,
+            name + ": its hatching lies on texture coordinates, and there are none."};
   return {};
 }
 
@@ -341,8 +383,10 @@ Status checkInstance(const Instance& instance, std::size_t number, Backend backe
   if (!isFinite(instance.modelToWorld))
     return {Error::kNotFinite, name + ": its matrix has a value that is not a finite number."};
   if (Status status = checkMaterial(instance, name); !status.ok()) return status;
+  if (Status status = checkCues(instance.style.cues, name); !status.ok()) return status;
   if (instance.hull != nullptr) return checkHull(instance, name);
   if (Status status = checkRamp(instance.style, name); !status.ok()) return status;
+  if (Status status = checkHatching(instance, name); !status.ok()) return status;
   if (Status status = checkLayers(instance, name); !status.ok()) return status;
   for (std::size_t i = 0; i < instance.lines.size(); ++i)
     if (Status status =

@@ -11,6 +11,7 @@
 #include "Rendering/Lines/ImageOutline.h"
 #include "Rendering/Post/ClearPixels.h"
 #include "Rendering/Post/CompositeTile.h"
+#include "Rendering/Post/DrawCues.h"
 #include "Rendering/Post/EffectPass.h"
 #include "Rendering/Post/ResolveNormals.h"
 #include "Rendering/Post/ResolveRadiance.h"
@@ -223,7 +224,8 @@ PixelRectangle rectangleOf(const TileRectangle& pixels)
 /// Room for what the pixels show, if a pass over the finished picture asks for that.
 std::optional<LayerTarget> layersFor(const Scene& scene, const FrameView& frame, int threads)
 {
-  if (std::none_of(scene.instances.begin(), scene.instances.end(), hasImageOutline)) return {};
+  const auto asks = [](const Instance& one) { return hasImageOutline(one) || hasCues(one); };
+  if (std::none_of(scene.instances.begin(), scene.instances.end(), asks)) return {};
   thread_local SurfaceLayers layers;
   beginLayers(frame, threads, layers);
   return LayerTarget{{scene.camera, frame.width, frame.height}, frame.background, layers};
@@ -270,8 +272,13 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     occluded.fetch_add(drawn.occludedClusters, std::memory_order_relaxed);
     truncated.fetch_add(drawn.truncatedPixels, std::memory_order_relaxed);
   });
-  if (layers && bins.touched.x0 < bins.touched.x1)
-    drawImageOutlines({scene, frame, layers->layers, rectangleOf(bins.touched), options.threads});
+  if (layers && bins.touched.x0 < bins.touched.x1) {
+    const PixelRectangle touched = rectangleOf(bins.touched);
+    if (std::any_of(scene.instances.begin(), scene.instances.end(), hasCues))
+      drawCues({scene, frame, layers->layers, touched, options.threads});
+    if (std::any_of(scene.instances.begin(), scene.instances.end(), hasImageOutline))
+      drawImageOutlines({scene, frame, layers->layers, touched, options.threads});
+  }
   if (drawsStrokes) drawStrokes(scene, frame, options.threads);
   stats.occludedClusters = occluded;
   stats.truncatedPixels = truncated;

@@ -5,6 +5,7 @@
 #include "Rendering/Base/Mat4.h"
 #include "Rendering/Base/Span.h"
 #include "Rendering/Base/Vec.h"
+#include "Rendering/DepthCues.h"
 #include "Rendering/ImageSpace.h"
 #include "Rendering/Lines/LineSet.h"
 #include "Rendering/Mesh/ClusteredMesh.h"
@@ -118,7 +119,7 @@ enum class Reflection : std::uint8_t {
 /// TextureLayer::isData. Their bytes are sRGB, as the user's legend shows them. k_d, bounded to 0
 /// ... 1, is that colour; d is l.n, or 2 t - 1 with Style::toonBands, turned round by
 /// Tone::kGoochChapter. All but kClassic add no highlight, which no legend has, and leave out the
-/// stripes of kMetal; kRamp and kMatCap are classic.
+/// stripes of kMetal; kRamp, kMatCap and kHatching are classic.
 enum class ToneOverData : std::uint8_t {
   kClassic,  ///< as a tone treats any k_d
   /// (1 - sigma) k_d + sigma t, where t is the tone of a grey surface, k_d = 1/2.
@@ -163,19 +164,20 @@ struct Style {
   Vec3f toneCool = {0, 0, 0.4f}, toneWarm = {0.4f, 0.4f, 0};
   float coolSurface = 0.2f, warmSurface = 0.6f;
   ToneRamp ramp;
+  Hatching hatching;
   /// 2 to kMaxToonBands: light, summed over all lights, in so many even steps; 0 or 1: smooth. A
   /// value t becomes k / (N - 1) from t = k / N on, and a highlight is all or nothing, from 1/2 on.
   /// Edges are antialiased over a pixel by the change of t to the right and above in the triangle's
   /// plane, without bumps.
   ///
-  /// Tones: t = (1 + l.n) / 2. Not for kRamp, whose picture has its own steps, and kMatCap.
-  /// Reflection models: the light sent back by a matt surface of k_d = 1, a colour, keeps its hue;
-  /// t is its strongest channel. The unlit have none. No Fresnel term; facets (the metallic models)
-  /// are drawn as Blinn and Phong's with p = 2 / alpha^2 - 2, k_d without the metal's share, and
-  /// F_0 for k_s. Sums of irradiance are divided by pi, as a white surface needs I = pi there.
-  /// Frequencies: kFlat gives each face one step. With kGouraud vertices are stepped and colours
-  /// interpolated, so that a step is as wide as a triangle. There, and where a surface shader asks
-  /// for light, edges are hard.
+  /// Tones: t = (1 + l.n) / 2. Not for kRamp, whose picture has its own steps, kMatCap and
+  /// kHatching. Reflection models: the light sent back by a matt surface of k_d = 1, a colour,
+  /// keeps its hue; t is its strongest channel. The unlit have none. No Fresnel term; facets (the
+  /// metallic models) are drawn as Blinn and Phong's with p = 2 / alpha^2 - 2, k_d without the
+  /// metal's share, and F_0 for k_s. Sums of irradiance are divided by pi, as a white surface needs
+  /// I = pi there. Frequencies: kFlat gives each face one step. With kGouraud vertices are stepped
+  /// and colours interpolated, so that a step is as wide as a triangle. There, and where a surface
+  /// shader asks for light, edges are hard.
   int toonBands = 0;
   ToneOverData toneOverData = ToneOverData::kClassic;  ///< where there are colours of data
   float undertone = 0.25f;                             ///< sigma, 0 to 1
@@ -191,6 +193,7 @@ struct Style {
   Vec3f outlineColor = {0, 0, 0};
   float outlineOpacity = 1;   ///< 0 to 1; the rest is the surface's colour
   ImageOutline imageOutline;  ///< with the width, colour and opacity above
+  DepthCues cues;
   /// Gives colours in the place of the light equation, pixel by pixel; may call it. Not owned.
   const SurfaceShader* surfaceShader = nullptr;
   /// The instance is translucent, whatever its opacity, which the alpha of Attributes' colours
@@ -199,7 +202,8 @@ struct Style {
   bool readsAlpha = false;
 
   /// Whether it reads what lies a pixel to the right and above.
-  bool readsFootprint() const { return evenOutline || toonBands >= 2; }
+  bool readsFootprint() const { return evenOutline || toonBands >= 2 || isHatched(); }
+  bool isHatched() const { return tone == Tone::kHatching && surfaceShader == nullptr; }
 };
 
 /// Values on a mesh. Sizes: one per vertex or one per cell of the MeshView, or empty.

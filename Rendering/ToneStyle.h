@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Base/Vec.h"
+
 #include <cstdint>
 
 /// The tones of illustration, which take the place of a surface's diffuse term. Notation as in
@@ -25,6 +27,7 @@ enum class Tone : std::uint8_t {
   /// k_d T(n), a picture of a lit sphere (Sloan et al. 2001), n in the basis of v, of the axis to
   /// the right and of that upwards that are perpendicular to v. Needs Style::ramp.
   kMatCap,
+  kHatching,  ///< strokes, as dense as the light is weak; see Hatching
 };
 
 inline constexpr int kMetalStripes = 20;
@@ -62,5 +65,32 @@ struct ToneRamp {
   float nearest = 0, farthest = 0;  ///< 0 < nearest < farthest; both 0: the camera's clipping
                                     ///< planes, but at least a thousandth of the farther
 };
+
+/// What the strokes of Tone::kHatching lie on.
+enum class HatchPlace : std::uint8_t {
+  /// Where the planes x + y + z = const cut the mesh, and for strokes across these the differences
+  /// of two coordinates, those of the plane that the surface is nearest to; two or three of these
+  /// are blended where it is near to several. So strokes have no seams, whatever the mesh, and stay
+  /// where they are when the camera moves.
+  kModel,
+  kTexture,  ///< Attributes::uv: along the first coordinate, then along the second
+};
+
+/// Tone::kHatching: k_d times the paper's colour, with strokes of ink. Their share of the surface
+/// is darkest (1 - t), t = k_a I_a + sum I max(0, n.l) for k_d = 1, its strongest channel, 0 to 1;
+/// with ToneLight::kUpperRight t = (1 + n.l) / 2.
+/// Drawn from a TonalArtMap (Praun, Hoppe, Webb and Finkelstein 2001): of two tones and two sizes
+/// of stroke the mean, by weights. Lit by each pixel, with kGouraud too, and with kFlat by each
+/// face. Where a surface shader asks for light, it gets the mean of ink and paper.
+struct Hatching {
+  Vec3f paper = {1, 1, 1}, ink = {0, 0, 0};  ///< >= 0
+  /// From stroke to stroke where a quarter of the surface is ink, in pixels across the strokes, 1
+  /// to kMaxHatchSpacing. Kept at any distance and tilt: of two sizes, one the double of the
+  /// other, strokes of the larger fade in as the smaller become too dense.
+  float spacing = 6;
+  float darkest = 0.85f;  ///< ink's share where no light arrives, 0 to 1
+  HatchPlace place = HatchPlace::kModel;
+};
+inline constexpr float kMaxHatchSpacing = 256;
 
 }  // namespace limn

@@ -2,7 +2,7 @@
 # a folder may include itself and those before it in the list; nothing there knows VTK, OpenGL or a
 # mesh file format, but for Mesh/Io.
 set(layers Base Mesh Vertex Binning Raster Texture Shading Lines Post)
-set(plain_data "Rendering/(Scene|FrameView|Optimizations|PostEffects|SurfaceShader|ToneStyle)\\.h")
+set(plain_data "Rendering/(Scene|DepthCues|FrameView|Optimizations|PostEffects|SurfaceShader|ToneStyle)\\.h")
 set(faults "")
 
 file(GLOB_RECURSE files RELATIVE ${SOURCE_DIR} ${SOURCE_DIR}/Rendering/*.h ${SOURCE_DIR}/Rendering/*.cpp)

@@ -4,6 +4,7 @@
 
 #include "CheckIllustration.h"
 #include "CheckLines.h"
+#include "CueOptions.h"
 #include "EffectOptions.h"
 #include "OptionList.h"
 #include "ParseValue.h"
@@ -319,8 +320,9 @@ Request parseRender(const Arguments& arguments)
   checkShownByStyle(scene);
   checkScene(scene, "render");
   checkShading(scene.material);
-  checkIllustration(scene.material);
+  checkIllustration(scene);
   checkLines(scene);
+  checkCues(scene);
   checkEffects(settings);
   checkReflection(scene.material);
   checkTextures(scene.texture);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BuildScene.h"
 
+#include "ApplyCues.h"
 #include "ApplyTextures.h"
 #include "ColorByArray.h"
 #include "FitCamera.h"
@@ -98,7 +99,8 @@ int reflectionModelOf(const MaterialSettings& material)
 void setReflectance(const MaterialSettings& material, vtkLimnProperty& property)
 {
   // Colours of a picture stay what they are.
-  const bool isPainted = material.tone == Tone::Ramp || material.tone == Tone::MatCap;
+  const bool isPainted =
+    material.tone == Tone::Ramp || material.tone == Tone::MatCap || material.tone == Tone::Hatching;
   const Color none = isPainted ? Color{ 1, 1, 1 } : kDefaultColor;
   const Color diffuse = material.diffuse.value_or(material.color.value_or(none));
   const Color ambient = material.ambient.value_or(diffuse);
@@ -147,6 +149,8 @@ int toneOf(Tone tone)
       return vtkLimnProperty::TONE_RAMP;
     case Tone::MatCap:
       return vtkLimnProperty::TONE_MAT_CAP;
+    case Tone::Hatching:
+      return vtkLimnProperty::TONE_HATCHING;
     case Tone::None:
       break;
   }
@@ -222,6 +226,21 @@ void setRamp(const MaterialSettings& material, vtkLimnProperty& property)
   property.SetToonRampRange(material.rampRange.value_or(std::array<double, 2>{ 0, 0 }).data());
 }
 
+void setHatching(const MaterialSettings& material, vtkLimnProperty& property)
+{
+  if (material.hatchSpacing)
+  {
+    property.SetHatchSpacing(material.hatchSpacing->value);
+    property.SetHatchUnit(material.hatchSpacing->unit);
+  }
+  property.SetHatchDarkest(material.hatchDarkest.value_or(property.GetHatchDarkest()));
+  property.SetHatchPaper(material.hatchPaper.value_or(Color{ 1, 1, 1 }).data());
+  property.SetHatchInk(material.hatchInk.value_or(Color{ 0, 0, 0 }).data());
+  property.SetHatchPlace(material.hatchPlace == HatchPlace::Texture
+                           ? vtkLimnProperty::HATCH_ON_TEXTURE
+                           : vtkLimnProperty::HATCH_ON_MODEL);
+}
+
 int outlineOf(Outline outline)
 {
   switch (outline)
@@ -281,6 +300,7 @@ void setIllustration(const MaterialSettings& material, vtkLimnProperty& property
                           ? vtkLimnProperty::TONE_LIGHT_UPPER_RIGHT
                           : vtkLimnProperty::TONE_LIGHT_SCENE);
   setRamp(material, property);
+  setHatching(material, property);
   if (material.cool)
   {
     property.SetCoolColor(material.cool->data());
@@ -379,6 +399,7 @@ void setLineKinds(const std::vector<LineKind>& kinds, vtkLimnProperty& property)
   property.SetTerminatorLines(has(LineKind::Terminator));
   property.SetShadowLines(has(LineKind::Shadow));
   property.SetIntersectionLines(has(LineKind::Intersections));
+  property.SetHatchLines(has(LineKind::Hatch));
 }
 
 int hiddenLinesOf(HiddenLines hidden)
@@ -415,6 +436,7 @@ void applyLines(const LineSettings& lines, vtkLimnProperty& property)
   property.SetStrokeWidth(width.value);
   property.SetStrokeUnit(width.unit);
   property.SetOuterWidthFactor(lines.outerWidth.value_or(1));
+  property.SetHatchWidth(lines.hatchWidth.value_or(property.GetHatchWidth()));
   property.SetStrokeColor(lines.color.value_or(Color{ 0, 0, 0 }).data());
   property.SetStrokeOpacity(lines.opacity.value_or(1));
   property.SetStrokeTaper(lines.taper.value_or(0));
@@ -474,6 +496,13 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
   {
     property.SetHiddenLines(hiddenLinesOf(*lines.hidden));
   }
+}
+
+Color backgroundOf(const SceneSettings& settings)
+{
+  Color paper = kDefaultBackground;
+  vtkLimnStyle::GetBackground(settings.style.c_str(), paper.data());
+  return settings.background.value_or(paper);
 }
 
 void addMeshes(
@@ -551,13 +580,12 @@ void applyLook(const SceneSettings& settings, const Mesh& mesh, const TonePictur
   property.SetMatCap(pictures.matCap.Get());
   applyLines(settings.lines, property);
   applyStyle(settings, mesh, property);
+  applyCues(settings.cues, backgroundOf(settings), property);
 }
 
 void setBackground(const SceneSettings& settings, vtkRenderer& renderer)
 {
-  Color paper = kDefaultBackground;
-  vtkLimnStyle::GetBackground(settings.style.c_str(), paper.data());
-  renderer.SetBackground(settings.background.value_or(paper).data());
+  renderer.SetBackground(backgroundOf(settings).data());
 }
 
 void pointCamera(

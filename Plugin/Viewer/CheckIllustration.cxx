@@ -18,7 +18,8 @@ namespace
 /// Of cool and warm.
 bool isScale(Tone tone)
 {
-  return tone != Tone::None && tone != Tone::Toon && tone != Tone::Ramp && tone != Tone::MatCap;
+  return tone != Tone::None && tone != Tone::Toon && tone != Tone::Ramp && tone != Tone::MatCap &&
+         tone != Tone::Hatching;
 }
 
 void checkRamp(const MaterialSettings& material)
@@ -48,6 +49,33 @@ void checkToneOverData(const MaterialSettings& material)
   if (material.legendSafeRange && over != ToneOverData::LegendSafe)
   {
     throw UserError("--legend-safe-range needs --tone-over-data=legend-safe");
+  }
+}
+
+void checkHatching(const MaterialSettings& material, bool hasLines)
+{
+  const std::pair<const char*, bool> options[] = {
+    { "--hatch-ink", material.hatchInk.has_value() },
+    { "--hatch-paper", material.hatchPaper.has_value() },
+    { "--hatch-on", material.hatchPlace.has_value() },
+  };
+  for (const auto& [option, isGiven] : options)
+  {
+    if (isGiven && material.tone != Tone::Hatching)
+    {
+      throw UserError(std::string(option) + " needs --tone=hatching");
+    }
+  }
+  const std::pair<const char*, bool> shared[] = {
+    { "--hatch-spacing", material.hatchSpacing.has_value() },
+    { "--hatch-darkest", material.hatchDarkest.has_value() },
+  };
+  for (const auto& [option, isGiven] : shared)
+  {
+    if (isGiven && material.tone != Tone::Hatching && !hasLines)
+    {
+      throw UserError(std::string(option) + " needs --tone=hatching or --lines=hatch");
+    }
   }
 }
 
@@ -174,10 +202,14 @@ void checkShownByStyle(const SceneSettings& scene)
   }
 }
 
-void checkIllustration(const MaterialSettings& material)
+void checkIllustration(const SceneSettings& scene)
 {
+  const MaterialSettings& material = scene.material;
+  const std::vector<LineKind>& lines = scene.lines.kinds;
   checkRamp(material);
   checkToneOverData(material);
+  const bool hasHatch = std::find(lines.begin(), lines.end(), LineKind::Hatch) != lines.end();
+  checkHatching(material, hasHatch);
   if (!isScale(material.tone) && (material.cool || material.warm))
   {
     throw UserError(std::string(material.cool ? "--cool" : "--warm") +
@@ -187,9 +219,11 @@ void checkIllustration(const MaterialSettings& material)
   {
     throw UserError("--toon-steps needs --tone=toon, metal or one of gooch");
   }
-  if (material.toneLight && !isScale(material.tone) && material.tone != Tone::Ramp)
+  const bool hatches = material.tone == Tone::Hatching || hasHatch;
+  if (material.toneLight && !isScale(material.tone) && material.tone != Tone::Ramp && !hatches)
   {
-    throw UserError("--tone-light needs --tone=gooch or --toon-ramp=FILE");
+    throw UserError(
+      "--tone-light needs --tone=gooch or hatching, --toon-ramp=FILE or --lines=hatch");
   }
   checkOutline(material);
 }

@@ -21,7 +21,7 @@ void checkShownByStyle(const SceneSettings& scene);
 
 /// Throws UserError for an option that the picture would not show. For a picture alone: in a window
 /// keys choose tone and outline.
-void checkIllustration(const MaterialSettings& material);
+void checkIllustration(const SceneSettings& scene);
 
 } // namespace limn::viewer
 

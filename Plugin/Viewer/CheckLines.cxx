@@ -87,9 +87,17 @@ void checkLines(const SceneSettings& scene)
   {
     checkStrokeWidth(*lines.width, scene.pixelsPerInch.value_or(72));
   }
-  if (scene.pixelsPerInch && (!lines.width || lines.width->unit == 0) && scene.style != "print")
+  if (lines.hatchWidth && !has(LineKind::Hatch))
   {
-    throw UserError("--dpi needs --stroke-width in pt or mm, or --style=print");
+    throw UserError("--hatch-width needs --lines=hatch");
+  }
+  const auto hasUnit = [](const std::optional<StrokeWidth>& width)
+  { return width && width->unit != 0; };
+  if (scene.pixelsPerInch && !hasUnit(lines.width) && !hasUnit(scene.material.hatchSpacing) &&
+      !hasUnit(scene.cues.halo) && scene.style != "print")
+  {
+    throw UserError(
+      "--dpi needs --stroke-width, --hatch-spacing or --halo in pt or mm, or --style=print");
   }
 }
 

@@ -40,7 +40,7 @@ const Choices<Tone>& tones()
   static const Choices<Tone> choices = { { "none", Tone::None }, { "gooch", Tone::Gooch },
     { "gooch-chapter", Tone::GoochChapter }, { "gooch-rtr4", Tone::GoochRtr4 },
     { "gooch-orange-book", Tone::GoochOrangeBook }, { "metal", Tone::Metal },
-    { "toon", Tone::Toon } };
+    { "toon", Tone::Toon }, { "hatching", Tone::Hatching } };
   return choices;
 }
 
@@ -48,6 +48,13 @@ const Choices<ToneLight>& toneLights()
 {
   static const Choices<ToneLight> choices = { { "scene", ToneLight::Scene },
     { "upper-right", ToneLight::UpperRight } };
+  return choices;
+}
+
+const Choices<HatchPlace>& hatchPlaces()
+{
+  static const Choices<HatchPlace> choices = { { "model", HatchPlace::Model },
+    { "texture", HatchPlace::Texture } };
   return choices;
 }
 
@@ -88,8 +95,8 @@ const Choices<LineKind>& lineKinds()
     { "ids", LineKind::Ids }, { "normals", LineKind::Normals }, { "contour", LineKind::Contour },
     { "silhouette", LineKind::Silhouette }, { "ridge", LineKind::Ridge },
     { "valley", LineKind::Valley }, { "suggestive", LineKind::Suggestive },
-    { "terminator", LineKind::Terminator }, { "shadow", LineKind::Shadow },
-    { "intersections", LineKind::Intersections } };
+    { "hatch", LineKind::Hatch }, { "terminator", LineKind::Terminator },
+    { "shadow", LineKind::Shadow }, { "intersections", LineKind::Intersections } };
   return choices;
 }
 

@@ -18,6 +18,7 @@ const Choices<Reflection>& reflections();
 const Choices<Tone>& tones();
 const Choices<ToneOverData>& tonesOverData();
 const Choices<ToneLight>& toneLights();
+const Choices<HatchPlace>& hatchPlaces();
 const Choices<RampBy>& rampDetails();
 const Choices<Outline>& outlines();
 /// Names of vtkLimnStyle.

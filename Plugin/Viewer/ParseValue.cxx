@@ -444,4 +444,28 @@ std::string joinWords(const std::vector<std::string>& words)
   return joined;
 }
 
+double parsePositive(const std::string& option, const std::string& text)
+{
+  const double number = parseNumber(option, text);
+  if (number <= 0)
+  {
+    throw UserError(option + "=" + text + " is not greater than 0");
+  }
+  return number;
+}
+
+StrokeWidth parseStrokeWidth(const std::string& option, const std::string& text)
+{
+  const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
+  for (int unit = 0; unit < 3; ++unit)
+  {
+    const std::size_t digits = text.size() < 2 ? 0 : text.size() - 2;
+    if (text.compare(digits, 2, units[unit]) == 0)
+    {
+      return { parsePositive(option, text.substr(0, digits)), unit };
+    }
+  }
+  return { parsePositive(option, text), 0 };
+}
+
 } // namespace limn::viewer

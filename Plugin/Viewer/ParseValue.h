@@ -19,6 +19,9 @@ namespace limn::viewer
 /// are at most 1e30 in size.
 double parseNumber(const std::string& option, const std::string& text);
 
+/// A number above 0.
+double parsePositive(const std::string& option, const std::string& text);
+
 /// Finite numbers with commas between them, as many as allowed.
 std::vector<double> parseNumbers(
   const std::string& option, const std::string& text, std::size_t fewest, std::size_t most);
@@ -37,6 +40,9 @@ Color parseColor(const std::string& option, const std::string& text);
 
 /// r,g,b of a light, a surface or a tone, from which the picture is computed: each at least 0.
 Color parseIntensity(const std::string& option, const std::string& text);
+
+/// A number above 0, in pixels, or in what follows it: px, pt, mm.
+StrokeWidth parseStrokeWidth(const std::string& option, const std::string& text);
 
 /// a,b with a < b.
 std::array<double, 2> parseRange(const std::string& option, const std::string& text);

@@ -58,6 +58,7 @@ enum class Tone
   Toon,   ///< the reflection in steps
   Ramp,   ///< by MaterialSettings::toonRamp
   MatCap, ///< by MaterialSettings::matCap
+  Hatching,
 };
 
 enum class ToneLight
@@ -78,6 +79,12 @@ enum class ToneOverData
   Classic,
   Undertone,
   LegendSafe
+};
+
+enum class HatchPlace
+{
+  Model,
+  Texture
 };
 
 enum class Outline
@@ -206,6 +213,15 @@ struct TextureSettings
   }
 };
 
+/// Of lines, in pixels.
+inline constexpr double kMaxStrokePixels = 256;
+
+struct StrokeWidth
+{
+  double value;
+  int unit; ///< of vtkLimnProperty::StrokeUnits
+};
+
 struct MaterialSettings
 {
   std::optional<Color> color;            ///< the meshes' own colours, else kDefaultColor
@@ -236,6 +252,10 @@ struct MaterialSettings
   std::optional<RampBy> rampBy;                   ///< depth if not given
   std::optional<double> rampExponent;             ///< >= 0; 1 if not given
   std::optional<std::array<double, 2>> rampRange; ///< of the clipping planes if not given
+  std::optional<StrokeWidth> hatchSpacing;        ///< the property's if not given
+  std::optional<double> hatchDarkest;             ///< 0 to 1; likewise
+  std::optional<Color> hatchPaper, hatchInk;      ///< white, black if not given
+  std::optional<HatchPlace> hatchPlace;           ///< model if not given
   Outline outline = Outline::None;
   std::optional<Color> outlineColor;       ///< black if not given
   std::optional<double> outlineWidth;      ///< in pixels
@@ -264,6 +284,7 @@ enum class LineKind
   Ridge,
   Valley,
   Suggestive,
+  Hatch,
   Terminator,
   Shadow,
   Intersections
@@ -276,13 +297,10 @@ enum class LineLights
   All
 };
 
-/// Of lines, in pixels.
-inline constexpr double kMaxStrokePixels = 256;
-
-struct StrokeWidth
+enum class UnsharpMode
 {
-  double value;
-  int unit; ///< of vtkLimnProperty::StrokeUnits
+  Darken,
+  Both
 };
 
 /// Lines along the mesh, drawn as strokes.
@@ -293,6 +311,7 @@ struct LineSettings
   std::optional<std::string> idArray; ///< cell data; the cell scalars if not given
   std::optional<StrokeWidth> width;
   std::optional<double> outerWidth; ///< times the width
+  std::optional<double> hatchWidth; ///< likewise; the property's if not given
   std::optional<Color> color;
   std::optional<double> opacity;
   std::optional<double> taper;               ///< pixels
@@ -300,6 +319,19 @@ struct LineSettings
   std::optional<HiddenLines> hidden;
   std::optional<double> ridgeThreshold, suggestiveThreshold; ///< the property's
   std::optional<LineLights> lights;                          ///< first if not given
+};
+
+/// Nothing of what is not given; the style's, if there is one.
+struct CueSettings
+{
+  std::optional<double> eyeDome;       ///< strength, 0 to 100
+  std::optional<double> eyeDomeRadius; ///< share of the picture's diagonal
+  std::optional<double> unsharp;       ///< strength, 0 to 1
+  std::optional<double> unsharpRadius; ///< share of the picture's diagonal
+  std::optional<UnsharpMode> unsharpMode;
+  std::optional<StrokeWidth> halo; ///< width, at most 64 pixels
+  std::optional<double> haloDepth; ///< in widths
+  std::optional<Color> haloColor;  ///< the background's if not given
 };
 
 struct ColoringSettings
@@ -317,8 +349,9 @@ struct SceneSettings
   MaterialSettings material;
   TextureSettings texture;
   LineSettings lines;
+  CueSettings cues;
   ColoringSettings coloring;
-  std::optional<double> pixelsPerInch; ///< of the picture, for lines in points and millimetres
+  std::optional<double> pixelsPerInch; ///< of the picture, for points and millimetres
   std::vector<LightSettings> lights;   ///< none: a headlight
   Color ambientLight = { 0, 0, 0 };    ///< I_a
   std::optional<Color> background;     ///< the style's, else kDefaultBackground, if not given

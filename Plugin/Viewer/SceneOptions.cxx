@@ -3,6 +3,7 @@
 #include "SceneOptions.h"
 
 #include "Choices.h"
+#include "CueOptions.h"
 #include "ParseValue.h"
 #include "UserError.h"
 
@@ -31,16 +32,6 @@ OptionList::Reader choose(
 {
   return [&target, &choices, later](Text option, Text text)
   { target = parseChoice(option, text, choices, later); };
-}
-
-double parsePositive(Text option, Text text)
-{
-  const double number = parseNumber(option, text);
-  if (number <= 0)
-  {
-    throw UserError(option + "=" + text + " is not greater than 0");
-  }
-  return number;
 }
 
 double parseNotNegative(Text option, Text text)
@@ -211,18 +202,62 @@ std::array<double, 2> parseDistances(Text option, Text text)
   return range;
 }
 
+double parsePixels(Text option, Text text, Text digits)
+{
+  const double pixels = parsePositive(option, digits);
+  if (pixels > kMaxStrokePixels)
+  {
+    throw UserError(option + "=" + text + " is greater than 256 pixels");
+  }
+  return pixels;
+}
+
+StrokeWidth parseStrokeWidth(Text option, Text text)
+{
+  const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
+  for (int unit = 0; unit < 3; ++unit)
+  {
+    const std::size_t digits = text.size() < 2 ? 0 : text.size() - 2;
+    if (text.compare(digits, 2, units[unit]) == 0)
+    {
+      const std::string number = text.substr(0, digits);
+      return { unit == 0 ? parsePixels(option, text, number) : parsePositive(option, number),
+        unit };
+    }
+  }
+  return { parsePixels(option, text, text), 0 };
+}
+
+void addHatching(OptionList& options, MaterialSettings& material)
+{
+  options.add("--hatch-spacing", "s",
+    "of strokes where a quarter is ink (of --lines=hatch,\nhalf of the light arrives), as 6, 4pt "
+    "or 1.5mm (6)",
+    into(material.hatchSpacing, parseStrokeWidth));
+  options.add("--hatch-darkest", "a", "share of ink where no light arrives, 0 to 1 (0.85)",
+    into(material.hatchDarkest, parseShare));
+  options.add("--hatch-ink", "r,g,b", "(0,0,0)", into(material.hatchInk, parseColor));
+  options.add(
+    "--hatch-paper", "r,g,b", "times the colour (1,1,1)", into(material.hatchPaper, parseColor));
+  options.add("--hatch-on", "name",
+    "planes through the model, or the texture's\ncoordinates: model, texture (model)",
+    choose(material.hatchPlace, hatchPlaces()));
+}
+
 void addTone(OptionList& options, MaterialSettings& material)
 {
   options.add("--tone", "name",
     "none, gooch (warm faces the light), gooch-chapter\n(cool faces the light), gooch-rtr4, "
-    "gooch-orange-book\n(as these books have it), metal (milled), toon (the\nreflection in steps) "
-    "(none)",
+    "gooch-orange-book\n(as these books have it), metal (milled), toon (the\nreflection in steps), "
+    "hatching "
+    "(strokes, as dense as it\nis dark) (none)",
     choose(material.tone, tones()));
   options.add("--toon-steps", "n", "of light, 2 to 64 (3 with toon, else smooth)",
     [&material](Text option, Text text)
     { material.toonSteps = parseInteger(option, text, 2, 64); });
   options.add("--tone-light", "name",
-    "of tones but toon: scene (the first), upper-right\n(fixed to the camera) (scene)",
+    "of tones but toon: scene (the first, of hatching all),\nupper-right (fixed to the camera) "
+    "(scene)",
     choose(material.toneLight, toneLights()));
   options.add("--cool", "r,g,b", "k_cool (0,0,0.4 + 0.2 k_d, or as the tone has it)",
     into(material.cool, parseIntensity));
@@ -260,6 +295,7 @@ void addIllustration(OptionList& options, SceneSettings& scene)
     "the like of strokes may be named besides (none)",
     choose(scene.style, styles()));
   addTone(options, material);
+  addHatching(options, material);
   options.add("--outline", "name",
     "none, normal (where the surface turns away), hull (a\nline around it), image (borders, steps "
     "and creases\nof the picture) (none)",
@@ -296,32 +332,6 @@ std::vector<LineKind> parseLineKinds(Text option, Text text)
   return kinds;
 }
 
-double parsePixels(Text option, Text text, Text digits)
-{
-  const double pixels = parsePositive(option, digits);
-  if (pixels > kMaxStrokePixels)
-  {
-    throw UserError(option + "=" + text + " is greater than 256 pixels");
-  }
-  return pixels;
-}
-
-StrokeWidth parseStrokeWidth(Text option, Text text)
-{
-  const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
-  for (int unit = 0; unit < 3; ++unit)
-  {
-    const std::size_t digits = text.size() < 2 ? 0 : text.size() - 2;
-    if (text.compare(digits, 2, units[unit]) == 0)
-    {
-      const std::string number = text.substr(0, digits);
-      return { unit == 0 ? parsePixels(option, text, number) : parsePositive(option, number),
-        unit };
-    }
-  }
-  return { parsePixels(option, text, text), 0 };
-}
-
 std::array<double, 2> parseDash(Text option, Text text)
 {
   const std::vector<double> lengths = parseNumbers(option, text, 2, 2);
@@ -348,6 +358,16 @@ double parsePixelsPerInch(Text option, Text text)
   return parseInteger(option, text, 1, 100000);
 }
 
+double parseHatchWidth(Text option, Text text)
+{
+  const double factor = parseNumber(option, text);
+  if (factor < 0.01 || factor > 256)
+  {
+    throw UserError(option + "=" + text + " is not from 0.01 to 256");
+  }
+  return factor;
+}
+
 void addLines(OptionList& options, SceneSettings& scene)
 {
   LineSettings& lines = scene.lines;
@@ -361,7 +381,8 @@ void addLines(OptionList& options, SceneSettings& scene)
     "surfaces cut each other), terminator (where they turn\n"
     "away from the light), shadow (the border of what they\n"
     "cast), and of smooth surfaces ridge, valley,\n"
-    "suggestive (none)",
+    "suggestive, hatch (strokes along the curvature, as\n"
+    "dense as it is dark) (none)",
     into(lines.kinds, parseLineKinds));
   options.add("--crease-angle", "degrees", "0 to 180, between faces' normals, of creases (40)",
     into(lines.creaseAngleDegrees, parseFeatureAngle));
@@ -384,6 +405,8 @@ void addLines(OptionList& options, SceneSettings& scene)
   options.add("--outer-width", "factor",
     "of lines with something else behind them, times the\nwidth (1)",
     into(lines.outerWidth, parseOuterWidth));
+  options.add("--hatch-width", "factor", "of hatch, times the width (0.6)",
+    into(lines.hatchWidth, parseHatchWidth));
   options.add("--stroke-color", "r,g,b", "(0,0,0)", into(lines.color, parseColor));
   options.add("--stroke-opacity", "a", "0 to 1 (1)", into(lines.opacity, parseShare));
   options.add("--stroke-taper", "pixels", "over which ends of lines grow to their width (0)",
@@ -474,6 +497,7 @@ void addSceneOptions(OptionList& options, SceneSettings& scene)
   addMaterial(options, scene.material);
   addIllustration(options, scene);
   addLines(options, scene);
+  addCueOptions(options, scene.cues);
   addTextures(options, scene.texture);
   addLights(options, scene);
   addColoring(options, scene.coloring);

@@ -18,6 +18,9 @@
 
 namespace
 {
+/// Of StrokeUnits.
+const char* const UnitNames[] = { "Pixels", "Points", "Millimeters" };
+
 void PrintVector(ostream& os, const char* name, const double vector[3])
 {
   os << name << ": (" << vector[0] << ", " << vector[1] << ", " << vector[2] << ")\n";
@@ -157,8 +160,15 @@ const char* vtkLimnProperty::GetVertexNormalsAsString()
 const char* vtkLimnProperty::GetToneAsString()
 {
   static const char* const names[] = { "None", "Gooch", "GoochChapter", "Toon", "Metal", "Ramp",
-    "MatCap" };
+    "MatCap", "Hatching" };
   return names[this->Tone];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetHatchPlaceAsString()
+{
+  static const char* const names[] = { "Model", "Texture" };
+  return names[this->HatchPlace];
 }
 
 //------------------------------------------------------------------------------
@@ -198,8 +208,26 @@ const char* vtkLimnProperty::GetOutlineAsString()
 //------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetStrokeUnitAsString()
 {
-  static const char* const names[] = { "Pixels", "Points", "Millimeters" };
-  return names[this->StrokeUnit];
+  return UnitNames[this->StrokeUnit];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetHatchUnitAsString()
+{
+  return UnitNames[this->HatchUnit];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetHaloUnitAsString()
+{
+  return UnitNames[this->HaloUnit];
+}
+
+//------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetDepthUnsharpAsString()
+{
+  static const char* const names[] = { "Off", "Darken", "Both" };
+  return names[this->DepthUnsharp];
 }
 
 //------------------------------------------------------------------------------
@@ -283,6 +311,27 @@ void vtkLimnProperty::CopyTone(vtkLimnProperty* other)
   this->SetToonRampExponent(other->ToonRampExponent);
   this->SetToonRampRange(other->ToonRampRange);
   this->SetMatCap(other->MatCap);
+  this->SetHatchDarkest(other->HatchDarkest);
+  this->SetHatchSpacing(other->HatchSpacing);
+  this->SetHatchUnit(other->HatchUnit);
+  this->SetHatchPaper(other->HatchPaper);
+  this->SetHatchInk(other->HatchInk);
+  this->SetHatchPlace(other->HatchPlace);
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::CopyCues(vtkLimnProperty* other)
+{
+  this->SetEyeDomeLighting(other->EyeDomeLighting);
+  this->SetEyeDomeStrength(other->EyeDomeStrength);
+  this->SetEyeDomeRadius(other->EyeDomeRadius);
+  this->SetDepthUnsharp(other->DepthUnsharp);
+  this->SetDepthUnsharpStrength(other->DepthUnsharpStrength);
+  this->SetDepthUnsharpRadius(other->DepthUnsharpRadius);
+  this->SetHaloWidth(other->HaloWidth);
+  this->SetHaloUnit(other->HaloUnit);
+  this->SetHaloDepth(other->HaloDepth);
+  this->SetHaloColor(other->HaloColor);
 }
 
 //------------------------------------------------------------------------------
@@ -332,6 +381,8 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetShadowLines(other->ShadowLines);
   this->SetIntersectionLines(other->IntersectionLines);
   this->SetLineLights(other->LineLights);
+  this->SetHatchLines(other->HatchLines);
+  this->SetHatchWidth(other->HatchWidth);
   this->SetIdArrayName(other->IdArrayName);
   this->SetCreaseAngle(other->CreaseAngle);
   this->SetStrokeWidth(other->StrokeWidth);
@@ -346,6 +397,7 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetOutlineDetector(other->OutlineDetector);
   this->SetOutlineDepthTolerance(other->OutlineDepthTolerance);
   this->SetOutlineCreaseAngle(other->OutlineCreaseAngle);
+  this->CopyCues(other);
   this->SetTextureRole(other->TextureRole);
   this->SetTextureMode(other->TextureMode);
   this->SetProceduralTexture(other->ProceduralTexture);
@@ -384,6 +436,30 @@ void vtkLimnProperty::PrintTone(ostream& os, vtkIndent indent)
   os << indent << "ToonRampRange: (" << this->ToonRampRange[0] << ", " << this->ToonRampRange[1]
      << ")\n";
   os << indent << "MatCap: " << this->MatCap << "\n";
+  os << indent << "HatchDarkest: " << this->HatchDarkest << "\n";
+  os << indent << "HatchSpacing: " << this->HatchSpacing << "\n";
+  os << indent << "HatchUnit: " << this->GetHatchUnitAsString() << "\n";
+  os << indent;
+  PrintVector(os, "HatchPaper", this->HatchPaper);
+  os << indent;
+  PrintVector(os, "HatchInk", this->HatchInk);
+  os << indent << "HatchPlace: " << this->GetHatchPlaceAsString() << "\n";
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnProperty::PrintCues(ostream& os, vtkIndent indent)
+{
+  os << indent << "EyeDomeLighting: " << (this->EyeDomeLighting ? "On" : "Off") << "\n";
+  os << indent << "EyeDomeStrength: " << this->EyeDomeStrength << "\n";
+  os << indent << "EyeDomeRadius: " << this->EyeDomeRadius << "\n";
+  os << indent << "DepthUnsharp: " << this->GetDepthUnsharpAsString() << "\n";
+  os << indent << "DepthUnsharpStrength: " << this->DepthUnsharpStrength << "\n";
+  os << indent << "DepthUnsharpRadius: " << this->DepthUnsharpRadius << "\n";
+  os << indent << "HaloWidth: " << this->HaloWidth << "\n";
+  os << indent << "HaloUnit: " << this->GetHaloUnitAsString() << "\n";
+  os << indent << "HaloDepth: " << this->HaloDepth << "\n";
+  os << indent;
+  PrintVector(os, "HaloColor", this->HaloColor);
 }
 
 //------------------------------------------------------------------------------
@@ -425,6 +501,8 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShadowLines: " << (this->ShadowLines ? "On" : "Off") << "\n";
   os << indent << "IntersectionLines: " << (this->IntersectionLines ? "On" : "Off") << "\n";
   os << indent << "LineLights: " << this->GetLineLightsAsString() << "\n";
+  os << indent << "HatchLines: " << (this->HatchLines ? "On" : "Off") << "\n";
+  os << indent << "HatchWidth: " << this->HatchWidth << "\n";
   os << indent << "IdArrayName: " << (this->IdArrayName ? this->IdArrayName : "(none)") << "\n";
   os << indent << "CreaseAngle: " << this->CreaseAngle << "\n";
   os << indent << "StrokeWidth: " << this->StrokeWidth << "\n";
@@ -440,6 +518,7 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutlineDetector: " << this->GetOutlineDetectorAsString() << "\n";
   os << indent << "OutlineDepthTolerance: " << this->OutlineDepthTolerance << "\n";
   os << indent << "OutlineCreaseAngle: " << this->OutlineCreaseAngle << "\n";
+  this->PrintCues(os, indent);
   os << indent << "TextureRole: " << this->GetTextureRoleAsString() << "\n";
   os << indent << "TextureMode: " << this->GetTextureModeAsString() << "\n";
   os << indent << "ProceduralTexture: " << this->GetProceduralTextureAsString() << "\n";

@@ -203,7 +203,8 @@ public:
     TONE_TOON,
     TONE_METAL,
     TONE_RAMP,
-    TONE_MAT_CAP
+    TONE_MAT_CAP,
+    TONE_HATCHING
   };
 
   ///@{
@@ -212,11 +213,12 @@ public:
    * where the surface faces it, cool where it turns away. GoochChapter: the same scale the other
    * way round. Metal: Gooch's scale times the stripes of a milled surface. Ramp: k_d times
    * ToonRamp's colour. MatCap: k_d times the colour that the MatCap's sphere has for the same
-   * normal.
+   * normal. Hatching: strokes of HatchInk on HatchPaper, the denser the less light all the lights
+   * send.
    *
    * Toon is no scale, but ReflectionModel in ToonBands steps. Default: None.
    */
-  vtkSetClampMacro(Tone, int, TONE_NONE, TONE_MAT_CAP);
+  vtkSetClampMacro(Tone, int, TONE_NONE, TONE_HATCHING);
   vtkGetMacro(Tone, int);
   void SetToneToNone() { this->SetTone(TONE_NONE); }
   void SetToneToGooch() { this->SetTone(TONE_GOOCH); }
@@ -225,6 +227,7 @@ public:
   void SetToneToMetal() { this->SetTone(TONE_METAL); }
   void SetToneToRamp() { this->SetTone(TONE_RAMP); }
   void SetToneToMatCap() { this->SetTone(TONE_MAT_CAP); }
+  void SetToneToHatching() { this->SetTone(TONE_HATCHING); }
   const char* GetToneAsString();
   ///@}
 
@@ -247,9 +250,9 @@ public:
 
   ///@{
   /**
-   * The light of all tones but Toon and MatCap. Scene, the default: the renderer's first.
-   * UpperRight: one from above and the right that moves with the camera, perpendicular to the gaze,
-   * so that the whole scale is seen.
+   * The light of all tones but Toon and MatCap, and of HatchLines. Scene, the default: the
+   * renderer's first, of hatching all. UpperRight: one from above and the right that moves with the
+   * camera, perpendicular to the gaze, so that the whole scale is seen.
    */
   vtkSetClampMacro(ToneLight, int, TONE_LIGHT_SCENE, TONE_LIGHT_UPPER_RIGHT);
   vtkGetMacro(ToneLight, int);
@@ -337,6 +340,51 @@ public:
   virtual void SetMatCap(vtkTexture* texture);
   void SetMatCapImage(vtkImageData* image);
   vtkGetObjectMacro(MatCap, vtkTexture);
+  ///@}
+
+  enum StrokeUnits
+  {
+    STROKE_PIXELS = 0,
+    STROKE_POINTS,
+    STROKE_MILLIMETERS
+  };
+
+  enum HatchPlaces
+  {
+    HATCH_ON_MODEL = 0,
+    HATCH_ON_TEXTURE
+  };
+
+  ///@{
+  /**
+   * The strokes of the tone Hatching, whose share of the surface is HatchDarkest times 1 - t, where
+   * t is the light that all lights send back by a matt white surface, with k_a times the ambient
+   * light, 0 to 1, or with the ToneLight UpperRight (1 + n.l) / 2. HatchSpacing is the distance
+   * from stroke to stroke where a quarter of the surface is ink, in HatchUnit (as StrokeUnit),
+   * bounded to 1 to 256 pixels, at any distance and tilt. The colour of the paper is that of the
+   * surface times HatchPaper. Strokes lie where planes through the model cut it, or, with
+   * HatchPlace Texture, along the texture coordinates. Defaults: 0.85, 6 pixels, white, black,
+   * Model.
+   */
+  vtkSetClampMacro(HatchDarkest, double, 0.0, 1.0);
+  vtkGetMacro(HatchDarkest, double);
+  vtkSetMacro(HatchSpacing, double);
+  vtkGetMacro(HatchSpacing, double);
+  vtkSetClampMacro(HatchUnit, int, STROKE_PIXELS, STROKE_MILLIMETERS);
+  vtkGetMacro(HatchUnit, int);
+  void SetHatchUnitToPixels() { this->SetHatchUnit(STROKE_PIXELS); }
+  void SetHatchUnitToPoints() { this->SetHatchUnit(STROKE_POINTS); }
+  void SetHatchUnitToMillimeters() { this->SetHatchUnit(STROKE_MILLIMETERS); }
+  const char* GetHatchUnitAsString();
+  vtkSetVector3Macro(HatchPaper, double);
+  vtkGetVector3Macro(HatchPaper, double);
+  vtkSetVector3Macro(HatchInk, double);
+  vtkGetVector3Macro(HatchInk, double);
+  vtkSetClampMacro(HatchPlace, int, HATCH_ON_MODEL, HATCH_ON_TEXTURE);
+  vtkGetMacro(HatchPlace, int);
+  void SetHatchPlaceToModel() { this->SetHatchPlace(HATCH_ON_MODEL); }
+  void SetHatchPlaceToTexture() { this->SetHatchPlace(HATCH_ON_TEXTURE); }
+  const char* GetHatchPlaceAsString();
   ///@}
 
   ///@{
@@ -562,6 +610,23 @@ public:
 
   ///@{
   /**
+   * Strokes along the greater principal curvature and, where it is darker than half, across it
+   * (Hertzmann and Zorin 2000): the denser the less light the lights send, as the tone Hatching has
+   * it, by HatchDarkest and HatchSpacing, which is the distance of strokes along the curvature
+   * where half of the light arrives. No closer than 1/200 of the diagonal of the mesh's box. They
+   * are found when the mesh changes, so that they stay where they are when the camera moves, and
+   * drawn below all other lines, HatchWidth times as wide, their ends tapered over HatchSpacing at
+   * least. Defaults: off, 0.6.
+   */
+  vtkSetMacro(HatchLines, bool);
+  vtkGetMacro(HatchLines, bool);
+  vtkBooleanMacro(HatchLines, bool);
+  vtkSetClampMacro(HatchWidth, double, 0.01, 256.0);
+  vtkGetMacro(HatchWidth, double);
+  ///@}
+
+  ///@{
+  /**
    * Lines of light. The terminator is where a surface turns away from a light, n.l = 0; along edges
    * sharper than CreaseAngle it follows edges that are lit on one side. Shadow lines are the
    * borders of the shadows that this actor casts, on itself and on all others of Limn's in the
@@ -613,13 +678,6 @@ public:
   vtkSetClampMacro(CreaseAngle, double, 0.0, 180.0);
   vtkGetMacro(CreaseAngle, double);
   ///@}
-
-  enum StrokeUnits
-  {
-    STROKE_PIXELS = 0,
-    STROKE_POINTS,
-    STROKE_MILLIMETERS
-  };
 
   ///@{
   /**
@@ -687,6 +745,71 @@ public:
   void SetHiddenLinesToDashed() { this->SetHiddenLines(HIDDEN_LINES_DASHED); }
   void SetHiddenLinesToThin() { this->SetHiddenLines(HIDDEN_LINES_THIN); }
   const char* GetHiddenLinesAsString();
+  ///@}
+
+  ///@{
+  /**
+   * Eye-dome lighting: a point is the darker, the more of what is around it in the picture lies
+   * before it, by EyeDomeStrength, 0 to 100. The same in perspective and in parallel projection,
+   * and for every size of the picture: EyeDomeRadius, above 0 to 0.02, is a share of its diagonal.
+   * Depth cues change surfaces and no line, text or scalar bar. Of opaque actors. Defaults: off, 1
+   * and 0.001.
+   */
+  vtkSetMacro(EyeDomeLighting, bool);
+  vtkGetMacro(EyeDomeLighting, bool);
+  vtkBooleanMacro(EyeDomeLighting, bool);
+  vtkSetMacro(EyeDomeStrength, double);
+  vtkGetMacro(EyeDomeStrength, double);
+  vtkSetMacro(EyeDomeRadius, double);
+  vtkGetMacro(EyeDomeRadius, double);
+  ///@}
+
+  enum DepthUnsharpModes
+  {
+    DEPTH_UNSHARP_OFF = 0,
+    DEPTH_UNSHARP_DARKEN,
+    DEPTH_UNSHARP_BOTH
+  };
+
+  ///@{
+  /**
+   * Unsharp masking of the depth (Luft, Colditz and Deussen 2006): what lies behind the mean of its
+   * surroundings gets darker, and with Both what lies before it lighter, by DepthUnsharpStrength, 0
+   * to 1. DepthUnsharpRadius, above 0 to 0.1 of the picture's diagonal, is the standard deviation
+   * of these surroundings. Of opaque actors. Defaults: Off, 0.5 and 0.02.
+   */
+  vtkSetClampMacro(DepthUnsharp, int, DEPTH_UNSHARP_OFF, DEPTH_UNSHARP_BOTH);
+  vtkGetMacro(DepthUnsharp, int);
+  void SetDepthUnsharpToOff() { this->SetDepthUnsharp(DEPTH_UNSHARP_OFF); }
+  void SetDepthUnsharpToDarken() { this->SetDepthUnsharp(DEPTH_UNSHARP_DARKEN); }
+  void SetDepthUnsharpToBoth() { this->SetDepthUnsharp(DEPTH_UNSHARP_BOTH); }
+  const char* GetDepthUnsharpAsString();
+  vtkSetMacro(DepthUnsharpStrength, double);
+  vtkGetMacro(DepthUnsharpStrength, double);
+  vtkSetMacro(DepthUnsharpRadius, double);
+  vtkGetMacro(DepthUnsharpRadius, double);
+  ///@}
+
+  ///@{
+  /**
+   * A gap of HaloColor that the actor cuts into what of Limn's surfaces lies behind its borders,
+   * parts of itself too, HaloWidth wide in HaloUnit (one of StrokeUnits), at most 64 pixels; 0, the
+   * default, for none. It has its full width where these lie HaloDepth widths behind, and is the
+   * narrower the less that is. Outlines by image there are cut, too. Defaults: pixels, 4 and
+   * white.
+   */
+  vtkSetMacro(HaloWidth, double);
+  vtkGetMacro(HaloWidth, double);
+  vtkSetClampMacro(HaloUnit, int, STROKE_PIXELS, STROKE_MILLIMETERS);
+  vtkGetMacro(HaloUnit, int);
+  void SetHaloUnitToPixels() { this->SetHaloUnit(STROKE_PIXELS); }
+  void SetHaloUnitToPoints() { this->SetHaloUnit(STROKE_POINTS); }
+  void SetHaloUnitToMillimeters() { this->SetHaloUnit(STROKE_MILLIMETERS); }
+  const char* GetHaloUnitAsString();
+  vtkSetMacro(HaloDepth, double);
+  vtkGetMacro(HaloDepth, double);
+  vtkSetVector3Macro(HaloColor, double);
+  vtkGetVector3Macro(HaloColor, double);
   ///@}
 
   enum TextureRoles
@@ -866,6 +989,12 @@ protected:
   double ToonRampExponent = 1.0;
   double ToonRampRange[2] = { 0.0, 0.0 };
   vtkTexture* MatCap = nullptr;
+  double HatchDarkest = 0.85;
+  double HatchSpacing = 6.0;
+  int HatchUnit = STROKE_PIXELS;
+  double HatchPaper[3] = { 1.0, 1.0, 1.0 };
+  double HatchInk[3] = { 0.0, 0.0, 0.0 };
+  int HatchPlace = HATCH_ON_MODEL;
   int Outline = OUTLINE_NONE;
   double OutlineThreshold = 0.2;
   double OutlineWidth = 0.0;
@@ -890,6 +1019,8 @@ protected:
   bool ShadowLines = false;
   bool IntersectionLines = false;
   int LineLights = LINE_LIGHTS_FIRST;
+  bool HatchLines = false;
+  double HatchWidth = 0.6;
   char* IdArrayName = nullptr;
   double CreaseAngle = 40.0;
   double StrokeWidth = 1.5;
@@ -901,6 +1032,16 @@ protected:
   double StrokeDash = 0.0;
   double StrokeGap = 0.0;
   int HiddenLines = HIDDEN_LINES_OFF;
+  bool EyeDomeLighting = false;
+  double EyeDomeStrength = 1.0;
+  double EyeDomeRadius = 0.001;
+  int DepthUnsharp = DEPTH_UNSHARP_OFF;
+  double DepthUnsharpStrength = 0.5;
+  double DepthUnsharpRadius = 0.02;
+  double HaloWidth = 0.0;
+  int HaloUnit = STROKE_PIXELS;
+  double HaloDepth = 4.0;
+  double HaloColor[3] = { 1.0, 1.0, 1.0 };
   int TextureRole = TEXTURE_SHADED;
   int TextureMode = TEXTURE_MODULATE;
   int ProceduralTexture = PROCEDURAL_NONE;
@@ -920,6 +1061,8 @@ private:
   void CopyWithTextures(vtkProperty* property);
   void CopyTone(vtkLimnProperty* other);
   void PrintTone(ostream& os, vtkIndent indent);
+  void CopyCues(vtkLimnProperty* other);
+  void PrintCues(ostream& os, vtkIndent indent);
 
   vtkLimnProperty(const vtkLimnProperty&) = delete;
   void operator=(const vtkLimnProperty&) = delete;

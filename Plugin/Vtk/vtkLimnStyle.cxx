@@ -95,12 +95,22 @@ void SetBlueprint(vtkLimnProperty* property)
   property->SetHiddenLinesToDashed();
 }
 
+/// Strokes along the curvature, by the light that SetShades() has.
+void SetStrokes(vtkLimnProperty* property, double spacing, double width)
+{
+  property->HatchLinesOn();
+  property->SetHatchSpacing(spacing);
+  property->SetHatchWidth(width);
+  property->SetHatchDarkest(0.9);
+}
+
 void SetPencil(vtkLimnProperty* property)
 {
   SetShades(property, { 0.7, 0.7, 0.7 }, { 0.98, 0.97, 0.94 });
   SetLines(property, { 0.24, 0.24, 0.26 }, 1.4, 1.5);
   property->SetStrokeOpacity(0.8);
   property->SetStrokeTaper(6);
+  SetStrokes(property, 5, 0.5);
 }
 
 void SetInk(vtkLimnProperty* property)
@@ -108,6 +118,7 @@ void SetInk(vtkLimnProperty* property)
   SetShades(property, { 1, 1, 1 }, { 1, 1, 1 });
   SetLines(property, { 0, 0, 0 }, 1.5, 1.8);
   property->SetStrokeTaper(4);
+  SetStrokes(property, 4.5, 0.5);
 }
 
 void SetAnatomy(vtkLimnProperty* property)

@@ -16,8 +16,8 @@
  * - gooch: warm and cool shades within contours
  * - toon: three even steps of light, heavy contours
  * - blueprint: white lines on blue, hidden ones dashed
- * - pencil: soft grey shades and tapered lines on paper
- * - ink: black lines on white, nothing else
+ * - pencil: soft grey shades, tapered lines and strokes along the curvature, on paper
+ * - ink: black lines and strokes along the curvature, on white
  * - anatomy: warm, matt shades of the actors' own colours, brown contours
  * - metal: bands of milled metal, contours and creases
  * - xray: bright where a surface turns away, all else seen through, on black

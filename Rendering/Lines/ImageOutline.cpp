@@ -56,6 +56,7 @@ void beginLayers(const FrameView& frame, int threads, SurfaceLayers& layers)
   layers.instance.resize(pixels);
   layers.surface.resize(pixels);
   layers.radiance.resize(frame.radiance.empty() ? 0 : pixels);
+  layers.halo.clear();
   forEachBand(threads, frame.height, [&](int first, int end) {
     std::fill(layers.instance.data() + layers.indexOf(0, first),
               layers.instance.data() + layers.indexOf(0, end), kNobody);
@@ -96,7 +97,8 @@ void drawImageOutlines(const OutlinePass& pass)
       }
       for (int x = 0; x < layers.width; ++x) {
         if (!near[x]) continue;
-        const float share = measure.shareAt(x, y);
+        float share = measure.shareAt(x, y);
+        if (!layers.halo.empty()) share *= 1.0f - layers.halo[layers.indexOf(x, y)];
         if (share > 0.0f) paintLine(pass, x, y, share);
       }
     }

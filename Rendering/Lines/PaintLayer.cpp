@@ -15,12 +15,14 @@ std::uint8_t toByte(float x)
   return static_cast<std::uint8_t>(std::nearbyint(bounded));
 }
 
-/// One channel of a pixel of which a share changes.
-struct Channel {
-  std::uint8_t pixel, from, to;
-};
+float boundedRadiance(float x)
+{
+  return x > 0.0f ? (x < kMaxRadiance ? x : kMaxRadiance) : 0.0f;
+}
 
-std::uint8_t changed(Channel c, double samples, int shared, Resolve resolve)
+}  // namespace
+
+std::uint8_t changed(ChannelChange c, double samples, int shared, Resolve resolve)
 {
   if (resolve == Resolve::kLinear)
     return toByte(static_cast<float>(c.pixel + samples * (c.to - c.from) / shared));
@@ -33,13 +35,6 @@ std::uint8_t changed(Channel c, double samples, int shared, Resolve resolve)
   const double bounded = sum > 0 ? (sum < most ? sum : most) : 0;
   return table.byteOfMean(static_cast<std::uint32_t>(bounded), static_cast<std::uint32_t>(shared));
 }
-
-float boundedRadiance(float x)
-{
-  return x > 0.0f ? (x < kMaxRadiance ? x : kMaxRadiance) : 0.0f;
-}
-
-}  // namespace
 
 void paintLine(const OutlinePass& pass, int x, int y, float share)
 {

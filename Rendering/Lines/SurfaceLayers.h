@@ -14,13 +14,16 @@ namespace limn {
 
 /// What a pixel shows of the surface that its nearest sample lies on.
 struct SurfaceLayer {
-  ViewPoint point;      ///< at the nearest sample
-  Vec3f normal;         ///< FrameView::normal
-  Vec3f plane;          ///< that of the triangle's plane, which the former need not be
-  float x, y;           ///< of the nearest sample, in pixels from the frame's corner
-  Rgba8 color;          ///< the mean of the samples that show it
-  std::uint8_t count;   ///< samples that show it
-  std::uint8_t shared;  ///< samples whose mean the pixel's colour is, at least `count`
+  ViewPoint point;       ///< at the nearest sample
+  Vec3f normal;          ///< FrameView::normal
+  Vec3f plane;           ///< that of the triangle's plane, which the former need not be
+  float x, y;            ///< of the nearest sample, in pixels from the frame's corner
+  Rgba8 color;           ///< the mean of the samples that show it
+  std::uint8_t count;    ///< samples that show it
+  std::uint8_t shared;   ///< samples whose mean the pixel's colour is, at least `count`
+  std::uint8_t covered;  ///< samples that show any opaque instance
+  /// Instance of the first sample that shows another surface, if `covered` is more than `count`.
+  std::uint32_t other;
 };
 
 /// The layers of a frame, row by row from below, without gaps between rows. Kept from frame to
@@ -30,6 +33,7 @@ struct SurfaceLayers {
   Array<std::uint32_t> instance;  ///< place in Scene::instances; kNobody: the others mean nothing
   Array<SurfaceLayer> surface;
   Array<Vec3f> radiance;  ///< the mean of the layer's; empty unless the frame has radiance
+  Array<float> halo;      ///< share of the layer that a halo has; empty: none
 
   std::size_t indexOf(int x, int y) const
   {
@@ -42,6 +46,11 @@ inline bool hasImageOutline(const Instance& instance)
 {
   return instance.style.imageOutline.detector != OutlineDetector::kNone &&
          instance.style.outlineWidth > 0.0f && !instance.isTranslucent();
+}
+
+inline bool hasCues(const Instance& instance)
+{
+  return instance.style.cues.any() && instance.hull == nullptr && !instance.isTranslucent();
 }
 
 /// How far one layer may lie off another's plane.

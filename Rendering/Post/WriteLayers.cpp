@@ -43,7 +43,8 @@ class LayerWriter {
         layer.normal = normalOf(colors_.pixelNormal, pixel);
         layer.plane = normalOf(colors_.pixelPlane, pixel);
         layer.color = colors_.pixel[pixel];
-        layer.count = layer.shared = samples;
+        layer.count = layer.shared = layer.covered = samples;
+        layer.other = kNobody;
         if (colors_.hasRadiance)
           layers_.radiance[indexOf(pixel)] = radianceOf(colors_.pixelRadiance, pixel);
         write(pixel, tile_.owner[nearest][pixel], layer);
@@ -74,13 +75,17 @@ class LayerWriter {
     SurfaceLayer layer = layerAt(pixel, nearest.sample);
     layer.normal = normalOf(colors_.fragmentNormal, own);
     layer.plane = normalOf(colors_.fragmentPlane, own);
+    layer.other = kNobody;
     ColorSum sum(scene_.resolve);
     Vec3f radiance = {0, 0, 0};
     std::uint32_t count = 0, covered = 0;
     for (std::size_t f = first; f < end; ++f) {
       const std::uint32_t samples = scene_.samples == 1 ? 1 : bitCount(fragments_.coverage[f]);
       covered += samples;
-      if (f != own && !isSameLayer(layer, nearest.owner, f)) continue;
+      if (f != own && !isSameLayer(layer, nearest.owner, f)) {
+        if (layer.other == kNobody) layer.other = instanceOf(fragments_.owner[f]);
+        continue;
+      }
       sum.add(colors_.fragment[f], samples);
       if (colors_.hasRadiance)
         radiance = radiance + radianceOf(colors_.fragmentRadiance, f) * static_cast<float>(samples);
@@ -88,6 +93,7 @@ class LayerWriter {
     }
     layer.color = sum.mean();
     layer.count = static_cast<std::uint8_t>(count);
+    layer.covered = static_cast<std::uint8_t>(covered);
     layer.shared = static_cast<std::uint8_t>(
         isKeptApart_ ? covered : static_cast<std::uint32_t>(scene_.samples));
     const auto n = static_cast<float>(count);
@@ -126,11 +132,14 @@ class LayerWriter {
   }
   void write(std::size_t pixel, std::uint32_t owner, const SurfaceLayer& layer)
   {
-    const PlacedInstance* const placed = clusters_.at(TileOwner::slot(owner)).placed;
     const std::size_t index = indexOf(pixel);
-    layers_.instance[index] =
-        static_cast<std::uint32_t>(placed - clusters_.scene->instances.data());
+    layers_.instance[index] = instanceOf(owner);
     layers_.surface[index] = layer;
+  }
+  std::uint32_t instanceOf(std::uint32_t owner) const
+  {
+    const PlacedInstance* const placed = clusters_.at(TileOwner::slot(owner)).placed;
+    return static_cast<std::uint32_t>(placed - clusters_.scene->instances.data());
   }
   static Vec3f normalOf(const VectorArrays& normals, std::size_t i)
   {

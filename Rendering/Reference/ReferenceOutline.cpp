@@ -78,7 +78,8 @@ class Outlines {
   {
     for (int y = 0; y < frame_.height; ++y)
       for (int x = 0; x < frame_.width; ++x)
-        if (isOutlined(layer({x, y}).instance)) paint({x, y}, shareOfLines({x, y}));
+        if (isOutlined(layer({x, y}).instance))
+          paint({x, y}, shareOfLines({x, y}) * (1.0f - layer({x, y}).halo));
   }
 
  private:

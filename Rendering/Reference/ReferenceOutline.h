@@ -19,8 +19,11 @@ struct Layer {
   Vec3f normal;       ///< FrameView::normal
   Vec3f plane;        ///< that of the triangle's plane
   int count, shared;  ///< samples that show it, and samples that the pixel's colour is the mean of
-  Rgba8 color;        ///< mean of those that show it
-  Vec3f radiance;     ///< likewise
+  int covered;        ///< samples that show any opaque instance
+  std::uint32_t other = kNobody;  ///< instance of the first sample that shows another surface
+  Rgba8 color;                    ///< mean of those that show it
+  Vec3f radiance;                 ///< likewise
+  float halo = 0;                 ///< share of it that a halo has, where no line is drawn
 };
 
 /// Whether two points lie on different surfaces of one instance: one is off the other's plane by

@@ -6,6 +6,7 @@
 #include "Rendering/Base/SamplePositions.h"
 #include "Rendering/Base/TranslucencyBound.h"
 #include "Rendering/Mesh/LocalPosition.h"
+#include "Rendering/Reference/ReferenceCues.h"
 #include "Rendering/Reference/ReferenceHull.h"
 #include "Rendering/Reference/ReferenceOutline.h"
 #include "Rendering/Reference/ReferenceShading.h"
@@ -604,12 +605,16 @@ class Picture {
         isSame[owner] = owner == nearest->owner ||
                         (owner.instance == layer.instance &&
                          !isStep(layer, layerAt(x, y, s, toView), toleranceAt(scene_, layer)));
-      if (!isSame[owner]) continue;
+      if (!isSame[owner]) {
+        if (layer.other == kNobody) layer.other = owner.instance;
+        continue;
+      }
       const Vec3f color = shadeOwner(x, y, owner);
       colors.push_back({toByte(color.x), toByte(color.y), toByte(color.z), 255});
       note(triangles, owner, color);
     }
     layer.count = static_cast<int>(colors.size());
+    layer.covered = covered;
     layer.shared = frame_.background == Background::kKeepApart ? covered : scene_.samples;
     layer.color = meanColor(colors, scene_.resolve);
     Vec3f sum = {0, 0, 0};
@@ -718,11 +723,15 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   picture.findVisible();
   const std::size_t truncated = picture.findTranslucent();
   picture.shadeAll();
-  for (const Instance& instance : scene.instances)
-    if (instance.style.imageOutline.detector != OutlineDetector::kNone) {
-      drawOutlines(scene, frame, picture.layersOfAll());
-      break;
-    }
+  const auto& all = scene.instances;
+  const bool areCued = std::any_of(all.begin(), all.end(), hasCues);
+  const bool areOutlined = std::any_of(all.begin(), all.end(), [](const Instance& instance) {
+    return instance.style.imageOutline.detector != OutlineDetector::kNone;
+  });
+  if (!areCued && !areOutlined) return truncated;
+  std::vector<Layer> layers = picture.layersOfAll();
+  if (areCued) drawCues(scene, frame, layers);
+  if (areOutlined) drawOutlines(scene, frame, layers);
   return truncated;
 }
 

@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/Power.h"
 #include "Rendering/Reference/ReferenceDataTone.h"
+#include "Rendering/Reference/ReferenceHatching.h"
 #include "Rendering/Reference/ReferenceTextures.h"
 #include "Rendering/Reference/ReferenceTone.h"
 #include "Rendering/Texture/SampleTexture.h"
@@ -322,11 +323,37 @@ Vec3f banded(const Scene& scene, const Instance& instance, const std::vector<Vie
          withStrength(sums.specular, glossy) * s.specular;
 }
 
+constexpr float kSqrtHalf = 0.707106781f;
+constexpr Vec3f kUpperRight = {kSqrtHalf, kSqrtHalf, 0};
+
+/// Hatching's share of ink in the mean.
+float hatchDarkness(const Scene& scene, const Instance& instance,
+                    const std::vector<ViewLight>& lights, const Surface& s)
+{
+  const float darkest = instance.style.hatching.darkest;
+  if (instance.style.toneLight == ToneLight::kUpperRight)
+    return darkest * (1.0f - (1.0f + dot(kUpperRight, s.normal)) * 0.5f);
+  Vec3f sum = {0, 0, 0};
+  for (const ViewLight& light : lights) {
+    const Arrival at = arrive(light, s.position, instance.style.fallOff);
+    const float nl = dot(s.normal, at.toward);
+    if (nl > 0.0f) sum = sum + scaled(light.color, at.fall * nl);
+  }
+  const float t = strongest(s.ambient * scene.ambientLight + sum);
+  return darkest * (1.0f - (t > 0.0f ? (t < 1.0f ? t : 1.0f) : 0.0f));
+}
+Vec3f hatchColor(const Hatching& hatching, const Surface& s, float ink)
+{
+  return (s.diffuse * hatching.paper) * (1.0f - ink) + hatching.ink * ink;
+}
+
 /// The tones of one instance.
 class Toning {
  public:
   Toning(const Scene& scene, const Instance& instance, const std::vector<ViewLight>& lights)
-      : camera_(scene.camera),
+      : scene_(scene),
+        instance_(instance),
+        camera_(scene.camera),
         style_(instance.style),
         lights_(lights),
         tonesData_(instance.tonesData())
@@ -335,6 +362,8 @@ class Toning {
 
   Vec3f color(const Surface& s, Neighbours near) const
   {
+    if (style_.tone == Tone::kHatching)
+      return hatchColor(style_.hatching, s, hatchDarkness(scene_, instance_, lights_, s));
     if (style_.tone == Tone::kMatCap)
       return s.diffuse * matCapColor(style_.ramp, s.normal, towardEye(camera_, s.position));
     if (style_.tone == Tone::kRamp) return s.diffuse * ramp(s);
@@ -366,8 +395,7 @@ class Toning {
   /// l
   Vec3f light(const Surface& s) const
   {
-    constexpr float kSqrtHalf = 0.707106781f;
-    if (style_.toneLight == ToneLight::kUpperRight) return {kSqrtHalf, kSqrtHalf, 0};
+    if (style_.toneLight == ToneLight::kUpperRight) return kUpperRight;
     return lights_.empty() ? Vec3f{0, 0, 1} : arrive(lights_[0], s.position, style_.fallOff).toward;
   }
   /// r.v
@@ -402,6 +430,8 @@ class Toning {
     return rampColor(style_.ramp, nl > 0.0f ? nl : 0.0f, detail);
   }
 
+  const Scene& scene_;
+  const Instance& instance_;
   const Camera& camera_;
   const Style& style_;
   const std::vector<ViewLight>& lights_;
@@ -548,6 +578,22 @@ class Face {
     const Span<const Vec2f> uv = instance_.attributes.uv;
     return mix(point_.weight, uv[triangle_.vertex[0]], uv[triangle_.vertex[1]],
                uv[triangle_.vertex[2]]);
+  }
+  /// As hatching has it: without the mesh's origin, high parts alone.
+  Vec3f hatchPosition() const
+  {
+    return mix(point_, corner(0).high, corner(1).high, corner(2).high);
+  }
+  /// In the mesh's own space.
+  Vec3f hatchNormal() const
+  {
+    const Style& style = instance_.style;
+    const Attributes& data = instance_.attributes;
+    if (style.frequency == ShadingFrequency::kFlat) return normalized(data.faceNormals[cell_]);
+    if (style.normals == NormalSource::kCell) return normalized(data.cellNormals[cell_]);
+    if (style.normals == NormalSource::kVertex)
+      return normalized(mix(point_, vertexNormal(0), vertexNormal(1), vertexNormal(2)));
+    return normalized(triangleNormal(corner(0), corner(1), corner(2)));
   }
   std::uint32_t cell() const { return cell_; }
   Vec3f facePosition() const
@@ -770,6 +816,19 @@ SurfacePoint movedTo(SurfacePoint point, const float (&weight)[3])
   return point;
 }
 
+Vec3f hatched(const Scene& scene, const Instance& instance, const std::vector<ViewLight>& lights,
+              const Surface& s, const Face& face, const Face& right, const Face& above)
+{
+  const Hatching& hatching = instance.style.hatching;
+  const HatchTone tone = {hatchDarkness(scene, instance, lights, s), hatching.spacing};
+  const float ink =
+      hatching.place == HatchPlace::kTexture
+          ? hatchByTexture({face.uv(), right.uv(), above.uv()}, tone)
+          : hatchInModel({face.hatchPosition(), right.hatchPosition(), above.hatchPosition()},
+                         face.hatchNormal(), tone);
+  return hatchColor(hatching, s, ink);
+}
+
 /// Without the outline.
 Vec3f surfaceColor(const Scene& scene, const Instance& instance,
                    const std::vector<ViewLight>& lights, const SurfacePoint& point,
@@ -786,7 +845,8 @@ Vec3f surfaceColor(const Scene& scene, const Instance& instance,
     const Vec3f color = runSurfaceShader(face, point, surface, {scene, instance, lights});
     return finish(face, instance, surface.diffuse, color);
   }
-  if (style.frequency == ShadingFrequency::kGouraud) {
+  const bool gouraud = style.frequency == ShadingFrequency::kGouraud;
+  if (gouraud && !style.isHatched()) {
     Vec3f color[3];
     for (int i = 0; i < 3; ++i)
       color[i] = face.light(face.cornerPosition(i), face.cornerNormal(i),
@@ -796,7 +856,11 @@ Vec3f surfaceColor(const Scene& scene, const Instance& instance,
   }
   Surface surface = flat ? face.bareSurface(face.facePosition(), face.faceNormal(), dataColor)
                          : face.bareSurface(face.pixelPosition(), face.bentNormal(), dataColor);
-  face.dress(surface);
+  // finish() lays the textures of Gouraud's frequency over.
+  if (!gouraud) face.dress(surface);
+  if (style.isHatched())
+    return finish(face, instance, surface.diffuse,
+                  hatched(scene, instance, lights, surface, face, right, above));
   if (flat || style.toonBands < 2)
     return finish(face, instance, surface.diffuse, lightSurface(scene, instance, lights, surface));
   const Surface near[3] = {face.bareSurface(face.pixelPosition(), face.pixelNormal(), dataColor),

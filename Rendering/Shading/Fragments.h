@@ -96,6 +96,8 @@ struct UvUse {
       footprint = footprint || layer.readsFootprint();
     }
     if (instance.style.surfaceShader != nullptr && !instance.attributes.uv.empty()) set[0] = true;
+    if (instance.style.isHatched() && instance.style.hatching.place == HatchPlace::kTexture)
+      set[0] = true;
   }
   bool any() const { return set[0] || set[1]; }
 };

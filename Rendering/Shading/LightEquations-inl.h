@@ -149,6 +149,27 @@ class Lighting {
     if (style_.reflection == Reflection::kNone) return add(s.ambient, s.diffuse);
     return style_.reflection == Reflection::kAsVtk ? asVtk(s) : chapter(s, chapterSums(s));
   }
+  /// Hatching's share of ink in the mean.
+  HWY_NOINLINE V hatchDarkness(const Surface& s) const
+  {
+    const V one = set(1.0f), darkest = set(style_.hatching.darkest);
+    if (style_.toneLight == ToneLight::kUpperRight) {
+      const V facing = hn::Mul(hn::Add(one, dot(toneLight(s), s.normal)), set(0.5f));
+      return hn::Mul(darkest, hn::Sub(one, facing));
+    }
+    const auto none = [](Lanes3, V, Lanes3, V) HWY_ATTR { return set(Vec3f{0, 0, 0}); };
+    const Lanes3 sent = sum(
+                            s, [](Lanes3, V nl) HWY_ATTR { return nl; }, none)
+                            .diffuse;
+    const V t = bounded(strongest(add(mul(s.ambient, set(ambientLight_)), sent)), 0.0f, 1.0f);
+    return hn::Mul(darkest, hn::Sub(one, t));
+  }
+  HWY_INLINE Lanes3 hatchColor(const Surface& s, V ink) const
+  {
+    const Hatching& hatching = style_.hatching;
+    return add(mul(mul(s.diffuse, set(hatching.paper)), hn::Sub(set(1.0f), ink)),
+               mul(set(hatching.ink), ink));
+  }
   /// Whether light() is to be told about neighbours.
   bool readsNeighbours() const { return style_.toonBands >= 2; }
   /// light() with the edges of bands antialiased.
@@ -475,6 +496,7 @@ class Lighting {
   }
   HWY_NOINLINE Lanes3 toned(const Surface& s, const Neighbours* near = nullptr) const
   {
+    if (style_.tone == Tone::kHatching) return hatchColor(s, hatchDarkness(s));
     if (style_.tone == Tone::kRamp || style_.tone == Tone::kMatCap) return painted(s);
     const Lanes3 l = toneLight(s);
     const V nl = dot(l, s.normal);

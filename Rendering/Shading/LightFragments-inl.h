@@ -4,6 +4,7 @@
 // Compiled once per instruction set by LightFragments.cpp.
 #include "Rendering/Base/ColorBytes-inl.h"
 #include "Rendering/Base/Simd.h"
+#include "Rendering/Shading/HatchEquations-inl.h"
 #include "Rendering/Shading/LightEquations-inl.h"
 #include "Rendering/Texture/Procedural-inl.h"
 #include "Rendering/Texture/SampleTexture-inl.h"
@@ -147,6 +148,15 @@ class FragmentLanes {
       return mul(Lanes2{lanes_.value(uv.x), lanes_.value(uv.y)}, weight(k));
     };
     return add(add(corner(0), corner(1)), corner(2));
+  }
+  /// In the mesh's own space.
+  Lanes3 hatchNormal() const
+  {
+    const Style& style = instance_.style;
+    if (style.frequency == ShadingFrequency::kFlat) return normalized(value(batch_.faceNormal));
+    if (style.normals == NormalSource::kCell) return normalized(normal(0));
+    return normalized(style.normals == NormalSource::kVertex ? mix(normal(0), normal(1), normal(2))
+                                                             : acrossEdges());
   }
   Lanes3 facePosition() const { return value(batch_.facePosition); }
   /// Of the triangle's plane, whatever the style.
@@ -351,7 +361,7 @@ class Shader {
       : lighting_(lighting),
         style_(context.placed->instance->style),
         layers_(context.placed->instance->layers),
-        isPlain_(layers_.empty() && !lighting.readsNeighbours()),
+        isPlain_(layers_.empty() && !lighting.readsNeighbours() && !style_.isHatched()),
         isOutlined_(style_.outlineThreshold > 0.0f || style_.evenOutline),
         lanes_(context, batch, lanes)
   {
@@ -364,12 +374,15 @@ class Shader {
       lit_[k] = light(lanes_.cornerPosition(k), lanes_.cornerNormal(k),
                       lanes_.colored() ? lanes_.cornerColor(k) : none());
   }
-  bool needsCorners() const { return style_.frequency == ShadingFrequency::kGouraud; }
+  bool needsCorners() const
+  {
+    return style_.frequency == ShadingFrequency::kGouraud && !style_.isHatched();
+  }
   /// Whether all fragments with the same corners have the same colour.
   bool isConstant() const
   {
     return style_.frequency == ShadingFrequency::kFlat && !lanes_.vertexColored() && !isOutlined_ &&
-           layers_.empty();
+           layers_.empty() && !style_.isHatched();
   }
 
   /// Material::opacity times what Style::readsAlpha asks for; 0 to 1.
@@ -432,14 +445,16 @@ class Shader {
   {
     const Lanes3 data = lanes_.colored() ? lanes_.pixelColor() : none();
     const Lanes3* const own = lanes_.colored() ? &data : nullptr;
-    if (style_.frequency == ShadingFrequency::kGouraud)
+    const bool gouraud = style_.frequency == ShadingFrequency::kGouraud;
+    if (gouraud && !style_.isHatched())
       return finish(lanes_.surface(none(), none(), own).diffuse, shade());
     Surface surface =
         style_.frequency == ShadingFrequency::kFlat
             ? lanes_.surface(lanes_.facePosition(), lanes_.faceNormal(), own)
             : lanes_.surface(lighting_.readsPosition() ? lanes_.pixelPosition() : none(),
                              lanes_.bentNormal(), own);
-    lanes_.dress(surface);
+    if (!gouraud) lanes_.dress(surface);
+    if (style_.isHatched()) return finish(surface.diffuse, hatched(surface));
     return finish(surface.diffuse,
                   lighting_.readsNeighbours() && style_.frequency == ShadingFrequency::kPhong
                       ? lightInBands(surface)
@@ -458,6 +473,19 @@ class Shader {
     };
     const Surface near[3] = {at(lanes_), at(right), at(above)};
     return lighting_.light(surface, near);
+  }
+  HWY_NOINLINE Lanes3 hatched(const Surface& surface) const
+  {
+    const Hatching& hatching = style_.hatching;
+    const FragmentLanes<Lanes> right = lanes_.movedTo(lanes_.weights().right);
+    const FragmentLanes<Lanes> above = lanes_.movedTo(lanes_.weights().above);
+    const HatchPen pen(lighting_.hatchDarkness(surface), hatching.spacing);
+    if (hatching.place == HatchPlace::kTexture)
+      return lighting_.hatchColor(
+          surface, hatchByTexture(pen, {lanes_.pixelUv(), right.pixelUv(), above.pixelUv()}));
+    const HatchPositions positions = {lanes_.localPosition(), right.localPosition(),
+                                      above.localPosition()};
+    return lighting_.hatchColor(surface, hatchInModel(pen, positions, lanes_.hatchNormal()));
   }
   /// What textures do after the light equation.
   Lanes3 finish(Lanes3 diffuse, Lanes3 color) const

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <functional>
 
 namespace limn {
 namespace {
@@ -177,6 +178,28 @@ TEST_P(EveryTarget, TonesLikeTheReference)
       changedPixels += plain.color[i].g != actual.color[i].g;
   }
   EXPECT_GT(changedPixels, 500000u) << "tones must show";
+}
+
+TEST_P(EveryTarget, HatchesLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kHatching);
+    Picture expected = random.canvas(), actual = random.canvas();
+    if (seed % 4 == 0)
+      for (Picture* picture : {&expected, &actual})
+        picture->addRadiance();
+    const RenderOptions options = {Backend::kPipeline, kThreads[seed % 4]};
+    ASSERT_TRUE(
+        render(random.scene(), expected.frame(random.background()), {Backend::kReference, 1}).ok());
+    ASSERT_TRUE(render(random.scene(), actual.frame(random.background()), options).ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    const Picture plain = drawn(RandomScene(seed), {Backend::kPipeline, 2});
+    for (std::size_t i = 0; i < plain.color.size(); ++i)
+      changedPixels += plain.color[i].g != actual.color[i].g;
+  }
+  EXPECT_GT(changedPixels, 500000u) << "strokes must show";
 }
 
 TEST_P(EveryTarget, TonesColorsOfDataLikeTheReference)
@@ -347,6 +370,50 @@ TEST_P(EveryTarget, DrawsImageLinesLikeTheReference)
       changedPixels += plain.color[i].r != actual.color[i].r;
   }
   EXPECT_GT(changedPixels, 50000u) << "the lines must show";
+}
+
+Picture drawnWithout(const RandomScene& random, const FrameClear& clear,
+                     const std::function<void(Style&)>& change)
+{
+  Scene scene = random.scene();
+  std::vector<Instance> instances(scene.instances.begin(), scene.instances.end());
+  for (Instance& instance : instances)
+    change(instance.style);
+  scene.instances = instances;
+  Picture picture = random.canvas();
+  FrameView frame = picture.frame(random.background());
+  frame.clear = clear;
+  EXPECT_TRUE(render(scene, frame).ok());
+  return picture;
+}
+
+TEST_P(EveryTarget, DrawsDepthCuesLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changed[3] = {0, 0, 0};
+  for (std::uint32_t seed = 0; seed < 90; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kCues);
+    Picture expected = random.canvas(), actual = random.canvas();
+    if (seed % 3 == 0)
+      for (Picture* picture : {&expected, &actual})
+        picture->addRadiance();
+    FrameView referenceFrame = expected.frame(random.background());
+    FrameView frame = actual.frame(random.background());
+    if (seed % 5 == 0) frame.clear.extent = referenceFrame.clear.extent = FrameClear::Extent::kAll;
+    ASSERT_TRUE(render(random.scene(), referenceFrame, {Backend::kReference, 1}).ok());
+    ASSERT_TRUE(render(random.scene(), frame, {Backend::kPipeline, kThreads[seed % 4]}).ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    const Picture without[] = {
+        drawnWithout(random, frame.clear, [](Style& style) { style.cues.eyeDome = {}; }),
+        drawnWithout(random, frame.clear, [](Style& style) { style.cues.unsharp = {}; }),
+        drawnWithout(random, frame.clear, [](Style& style) { style.cues.halo = {}; })};
+    for (std::size_t i = 0; i < actual.color.size(); ++i)
+      for (std::size_t cue = 0; cue < 3; ++cue)
+        changed[cue] += without[cue].color[i].r != actual.color[i].r;
+  }
+  EXPECT_GT(changed[0], 30000u) << "eye-dome lighting must show";
+  EXPECT_GT(changed[1], 30000u) << "unsharp masks must show";
+  EXPECT_GT(changed[2], 5000u) << "halos must show";
 }
 
 TEST_P(EveryTarget, DrawsTheSameWithoutEachOptimization)

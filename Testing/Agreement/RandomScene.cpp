@@ -253,9 +253,11 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (random.chance(4)) lights_ = {Light{}};
   placeCamera(random);
   if (detail == Detail::kLights) addLights();
-  if (detail == Detail::kLines) addLines(Random(seed ^ 0x11E5u));
+  if (detail == Detail::kLines || (detail == Detail::kCues && seed % 4 == 1))
+    addLines(Random(seed ^ 0x11E5u));
   const bool isShaded = detail == Detail::kShaders;
-  const bool isToned = detail == Detail::kTones;
+  const bool isHatched = detail == Detail::kHatching;
+  const bool isToned = detail == Detail::kTones || isHatched;
   const bool isTranslucent = detail == Detail::kTranslucent || detail == Detail::kFineTranslucent ||
                              (isToned && seed % 5 == 2);
   if (detail == Detail::kReflections || isShaded || isToned) addReflections();
@@ -263,10 +265,14 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
       (isToned && seed % 3 == 0))
     addTextures();
   if (isTranslucent) addTranslucency();
-  if (isToned) addTones();
+  if (isHatched)
+    addHatching();
+  else if (isToned)
+    addTones();
   if (detail == Detail::kDataTones) addDataTones();
   if (detail == Detail::kHulls) addHulls();
   if (detail == Detail::kImageLines) addImageLines();
+  if (detail == Detail::kCues) addCues();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -300,13 +306,14 @@ void RandomScene::addMesh(Random& random, Detail detail)
       detail == Detail::kFine || detail == Detail::kFineTranslucent ||
               (detail == Detail::kHulls && seed_ % 8 == 0) ||
               (detail == Detail::kLines && seed_ % 5 == 0) ||
-              (detail == Detail::kImageLines && seed_ % 3 == 1)
+              ((detail == Detail::kImageLines || detail == Detail::kCues) && seed_ % 3 == 1)
           ? makeBumpySphere(random, *mesh)
       : detail == Detail::kHulls ? makeSolids(random, *mesh)
       : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
                                        detail == Detail::kTranslucent || detail == Detail::kTones ||
                                        detail == Detail::kDataTones || detail == Detail::kLines ||
-                                       detail == Detail::kImageLines) &&
+                                       detail == Detail::kHatching ||
+                                       detail == Detail::kImageLines || detail == Detail::kCues) &&
                                       seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
@@ -557,6 +564,28 @@ void RandomScene::addTones()
   }
 }
 
+void RandomScene::addHatching()
+{
+  Random random(seed_ ^ 0x4A7C4u);
+  const auto number = [&](double low, double high) {
+    return static_cast<float>(random.between(low, high));
+  };
+  for (Instance& instance : instances_) {
+    Style& style = instance.style;
+    if (random.chance(2)) style.frequency = ShadingFrequency::kPhong;
+    style.tone = Tone::kHatching;
+    style.toonBands = random.chance(5) ? 4 : 0;
+    style.evenOutline = random.chance(4);
+    style.toneLight = random.chance(4) ? ToneLight::kUpperRight : ToneLight::kFirst;
+    style.hatching.paper = random.color();
+    style.hatching.ink = random.color();
+    style.hatching.spacing = random.chance(6) ? number(1, 256) : number(1, 20);
+    style.hatching.darkest = random.chance(3) ? 1.0f : number(0, 1);
+    if (!instance.attributes.uv.empty() && random.chance(2))
+      style.hatching.place = HatchPlace::kTexture;
+  }
+}
+
 void RandomScene::addDataTones()
 {
   Random random(seed_ ^ 0x7A3D11C5u);
@@ -634,6 +663,29 @@ void RandomScene::addImageLines()
     style.outlineOpacity = random.chance(2) ? 1 : number(0, 1);
     // Facets would be nothing but creases.
     if (!random.chance(4)) style.normals = NormalSource::kVertex;
+  }
+}
+
+void RandomScene::addCues()
+{
+  Random random(seed_ ^ 0xC0E5D1u);
+  const auto number = [&](double low, double high) {
+    return static_cast<float>(random.between(low, high));
+  };
+  if (random.chance(2)) addImageLines();
+  // Often one radius for all, as in programs.
+  const float eyeDomeRadius = number(0.001, 0.02), unsharpRadius = number(0.001, 0.1);
+  for (Instance& instance : instances_) {
+    DepthCues& cues = instance.style.cues;
+    if (random.chance(6)) continue;
+    if (random.chance(2)) cues.eyeDome.strength = random.chance(4) ? number(2, 30) : number(0, 2);
+    cues.eyeDome.radius = random.chance(2) ? eyeDomeRadius : number(0.001, 0.02);
+    if (random.chance(2)) cues.unsharp.strength = random.chance(4) ? 1 : number(0, 1);
+    cues.unsharp.radius = random.chance(2) ? unsharpRadius : number(0.001, 0.1);
+    cues.unsharp.lightens = random.chance(2);
+    if (random.chance(2)) cues.halo.width = random.chance(6) ? number(5, 12) : number(0, 5);
+    cues.halo.depth = random.chance(4) ? number(0.05, 1) : number(1, 6);
+    cues.halo.color = random.color() * 1.2f;
   }
 }
 

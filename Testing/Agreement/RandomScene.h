@@ -98,7 +98,9 @@ class RandomScene {
     kDataTones,   ///< as kAny or kCoarse, with tones over colours of data
     kHulls,       ///< closed surfaces, coarse or as kFine, with inverted hulls
     kLines,       ///< as kAny, kFine or kCoarse, with lines of all kinds
+    kHatching,    ///< as kTones, with hatching alone
     kImageLines,  ///< as kAny, kFine or kCoarse, most with lines from the picture
+    kCues,        ///< likewise with depth cues, some with lines from the picture as well
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -121,8 +123,10 @@ class RandomScene {
   void addTranslucency();
   void addTones();
   void addDataTones();
+  void addHatching();
   void addHulls();
   void addImageLines();
+  void addCues();
   void joinTextures();
   void addImages(Random& random);
   TextureLayer randomLayer(Random& random) const;

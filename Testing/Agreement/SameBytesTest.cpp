@@ -27,9 +27,11 @@ constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 14605611306974679685u;
 constexpr std::uint64_t kHashOfImageLines = 10445023320426387168u;
+constexpr std::uint64_t kHashOfCues = 8603367876223034994u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 14800548386128781990u;
 constexpr std::uint64_t kHashOfDataTones = 5431401692603874508u;
+constexpr std::uint64_t kHashOfHatching = 5579474759704979671u;
 constexpr std::uint64_t kHashOfHulls = 12766414417319064616u;
 
 /// FNV-1a, 64 bits.
@@ -144,6 +146,13 @@ TEST_P(SameBytes, ImageLinesHaveTheKnownHash)
   EXPECT_EQ(hash, kHashOfImageLines);
 }
 
+TEST_P(SameBytes, DepthCuesHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kCues);
+  std::cout << "kHashOfCues " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfCues);
+}
+
 TEST_P(SameBytes, HundredScenesWithShadersHaveTheKnownHash)
 {
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kShaders);
@@ -163,6 +172,13 @@ TEST_P(SameBytes, TonesOverDataHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kDataTones);
   std::cout << "kHashOfDataTones " << hash << '\n';
   EXPECT_EQ(hash, kHashOfDataTones);
+}
+
+TEST_P(SameBytes, HatchingHasTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kHatching);
+  std::cout << "kHashOfHatching " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfHatching);
 }
 
 TEST_P(SameBytes, HullsHaveTheKnownHash)

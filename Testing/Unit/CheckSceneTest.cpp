@@ -241,6 +241,37 @@ const Mistake kInstanceMistakes[] = {
      [](Input& i) { i.instance().style.tone = Tone::kRamp; }},
     {"MatCapWithoutPicture", Error::kMissingData, "picture",
      [](Input& i) { i.instance().style.tone = Tone::kMatCap; }},
+    {"HatchSpacingBelowOne", Error::kNotFinite, "hatching",
+     [](Input& i) {
+       i.instance().style.tone = Tone::kHatching;
+       i.instance().style.hatching.spacing = 0.5f;
+     }},
+    {"HatchSpacingNan", Error::kNotFinite, "hatching",
+     [](Input& i) {
+       i.instance().style.tone = Tone::kHatching;
+       i.instance().style.hatching.spacing = kNan;
+     }},
+    {"HatchDarkestAboveOne", Error::kNotFinite, "hatching",
+     [](Input& i) {
+       i.instance().style.tone = Tone::kHatching;
+       i.instance().style.hatching.darkest = 1.5f;
+     }},
+    {"HatchInkNegative", Error::kNotFinite, "hatching",
+     [](Input& i) {
+       i.instance().style.tone = Tone::kHatching;
+       i.instance().style.hatching.ink.y = -1;
+     }},
+    {"HatchPaperInfinite", Error::kNotFinite, "hatching",
+     [](Input& i) {
+       i.instance().style.tone = Tone::kHatching;
+       i.instance().style.hatching.paper.z = kInfinity;
+     }},
+    {"HatchingWithoutTextureCoordinates", Error::kMissingData, "texture coordinates",
+     [](Input& i) {
+       i.instance().style.tone = Tone::kHatching;
+       i.instance().style.hatching.place = HatchPlace::kTexture;
+       i.instance().attributes.uv = {};
+     }},
     {"RampExponentNegative", Error::kNotFinite, "ramp",
      [](Input& i) {
        giveRamp(i);

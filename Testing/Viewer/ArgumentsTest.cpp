@@ -235,10 +235,14 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
       "--ridge-threshold=nan is not a finite number, as in --ridge-threshold=1.5" },
     { { "--lines=border", "--ids-array=part" }, "--ids-array needs --lines=ids" },
     { { "--lines=border", "--dpi=300" },
-      "--dpi needs --stroke-width in pt or mm, or --style=print" },
+      "--dpi needs --stroke-width, --hatch-spacing or --halo in pt or mm, or --style=print" },
     { { "--lines=crease,edges" },
       "--lines=edges is unknown; choose one of: crease, border, non-manifold, ids, normals, "
-      "contour, silhouette, ridge, valley, suggestive, terminator, shadow, intersections" },
+      "contour, silhouette, ridge, valley, suggestive, hatch, terminator, shadow, "
+      "intersections" },
+    { { "--lines=border", "--hatch-width=0.5" }, "--hatch-width needs --lines=hatch" },
+    { { "--lines=hatch", "--hatch-width=0" }, "--hatch-width=0 is not from 0.01 to 256" },
+    { { "--lines=hatch", "--hatch-ink=1,0,0" }, "--hatch-ink needs --tone=hatching" },
     { { "--lines=crease,crease" }, "--lines=crease,crease names a kind twice; name it once" },
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },
@@ -258,6 +262,48 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
   for (const auto& one : cases)
   {
     EXPECT_EQ(renderErrorOf(one.options), one.error);
+  }
+}
+
+TEST(Arguments, DepthCuesAreRead)
+{
+  const CueSettings cues =
+    parseRender({ "--edl=1.5", "--edl-radius=0.002", "--depth-unsharp=0.4",
+                  "--depth-unsharp-mode=both", "--depth-unsharp-radius=0.03", "--halo=0.7mm",
+                  "--halo-depth=2", "--halo-color=1,0,0", "--dpi=300" })
+      .scene.cues;
+  EXPECT_EQ(cues.eyeDome, 1.5);
+  EXPECT_EQ(cues.eyeDomeRadius, 0.002);
+  EXPECT_EQ(cues.unsharp, 0.4);
+  EXPECT_EQ(cues.unsharpMode, UnsharpMode::Both);
+  EXPECT_EQ(cues.unsharpRadius, 0.03);
+  EXPECT_EQ(cues.halo->value, 0.7);
+  EXPECT_EQ(cues.halo->unit, 2);
+  EXPECT_EQ(cues.haloDepth, 2);
+  EXPECT_EQ(*cues.haloColor, (Color{ 1, 0, 0 }));
+  EXPECT_FALSE(parseRender({}).scene.cues.eyeDome.has_value());
+  EXPECT_EQ(renderErrorOf({ "--style=ink", "--edl=1" }), "");
+  const struct
+  {
+    const char* option;
+    std::string error;
+  } cases[] = {
+    { "--edl=-1", "--edl=-1 is not from 0 to 100" },
+    { "--edl=nan", "--edl=nan is not a finite number, as in --edl=1.5" },
+    { "--edl-radius=0.002", "--edl-radius needs --edl" },
+    { "--depth-unsharp=1.1", "--depth-unsharp=1.1 is not from 0 to 1" },
+    { "--depth-unsharp-mode=both", "--depth-unsharp-mode needs --depth-unsharp" },
+    { "--depth-unsharp-radius=0", "--depth-unsharp-radius=0 is not above 0, at most 0.1" },
+    { "--depth-unsharp-radius=0.05", "--depth-unsharp-radius needs --depth-unsharp" },
+    { "--halo=0", "--halo=0 is not greater than 0" },
+    { "--halo=65", "--halo=65 is wider than 64 pixels" },
+    { "--halo-depth=2", "--halo-depth needs --halo" },
+    { "--halo-depth=0", "--halo-depth=0 is not greater than 0" },
+    { "--halo-color=1,1,1", "--halo-color needs --halo" },
+  };
+  for (const auto& one : cases)
+  {
+    EXPECT_EQ(renderErrorOf({ one.option }), one.error);
   }
 }
 
@@ -519,7 +565,7 @@ TEST(Arguments, ValuesOfLaterVersionsAreNamedAsSuch)
     "phong, blinn-phong, irradiance, oren-nayar, metallic");
   EXPECT_EQ(renderErrorOf({ "--tone=sepia" }),
     "--tone=sepia is unknown; choose one of: none, gooch, gooch-chapter, gooch-rtr4, "
-    "gooch-orange-book, metal, toon");
+    "gooch-orange-book, metal, toon, hatching");
   EXPECT_EQ(renderErrorOf({ "--outline=fuzzy" }),
     "--outline=fuzzy is unknown; choose one of: none, normal, hull, image");
 }
@@ -702,6 +748,32 @@ TEST(Arguments, TonesAndOutlinesHaveTheirNumbers)
   EXPECT_EQ(parseRender({ "--matcap=a.png" }).scene.material.tone, Tone::MatCap);
 }
 
+TEST(Arguments, HatchLinesHaveTheirWidthAndDensity)
+{
+  const SceneSettings scene =
+    parseRender({ "--lines=hatch,contour", "--hatch-width=0.4", "--hatch-spacing=4pt",
+                  "--hatch-darkest=0.9", "--dpi=300" })
+      .scene;
+  EXPECT_EQ(scene.lines.kinds, (std::vector<LineKind>{ LineKind::Hatch, LineKind::Contour }));
+  EXPECT_EQ(scene.lines.hatchWidth, 0.4);
+  EXPECT_EQ(scene.material.hatchSpacing->unit, 1);
+}
+
+TEST(Arguments, HatchingHasItsStrokesAndColours)
+{
+  const MaterialSettings material =
+    parseRender({ "--tone=hatching", "--hatch-spacing=1.5mm", "--hatch-darkest=0.5",
+                  "--hatch-ink=1,0,0", "--hatch-paper=0,1,0", "--hatch-on=texture" })
+      .scene.material;
+  EXPECT_EQ(material.tone, Tone::Hatching);
+  EXPECT_EQ(material.hatchSpacing->value, 1.5);
+  EXPECT_EQ(material.hatchSpacing->unit, 2);
+  EXPECT_EQ(material.hatchDarkest, 0.5);
+  EXPECT_EQ(material.hatchInk, (Color{ 1, 0, 0 }));
+  EXPECT_EQ(material.hatchPaper, (Color{ 0, 1, 0 }));
+  EXPECT_EQ(material.hatchPlace, HatchPlace::Texture);
+}
+
 TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
 {
   const struct
@@ -709,13 +781,18 @@ TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
     std::vector<std::string> options;
     const char* error;
   } cases[] = {
+    { { "--hatch-spacing=4" }, "--hatch-spacing needs --tone=hatching or --lines=hatch" },
+    { { "--tone=gooch", "--hatch-ink=1,0,0" }, "--hatch-ink needs --tone=hatching" },
+    { { "--tone=hatching", "--hatch-darkest=1.5" }, "--hatch-darkest=1.5 is not from 0 to 1" },
+    { { "--cool=0,0,1", "--tone=hatching" },
+      "--cool needs a tone; add --tone=gooch or --tone=gooch-chapter" },
     { { "--toon-steps=3" }, "--toon-steps needs --tone=toon, metal or one of gooch" },
     { { "--toon-steps=1", "--tone=toon" }, "--toon-steps=1 is not a whole number from 2 to 64" },
     { { "--toon-steps=65", "--tone=toon" }, "--toon-steps=65 is not a whole number from 2 to 64" },
     { { "--cool=0,0,1", "--tone=toon" },
       "--cool needs a tone; add --tone=gooch or --tone=gooch-chapter" },
     { { "--tone-light=scene", "--tone=toon" },
-      "--tone-light needs --tone=gooch or --toon-ramp=FILE" },
+      "--tone-light needs --tone=gooch or hatching, --toon-ramp=FILE or --lines=hatch" },
     { { "--tone=gooch", "--matcap=a.png" }, "--matcap and --tone exclude each other; give one" },
     { { "--toon-ramp=b.png", "--matcap=a.png" },
       "--toon-ramp and --matcap exclude each other; give one" },
@@ -771,7 +848,8 @@ TEST(Arguments, HelpListsEveryServedOption)
       "--cool", "--warm", "--ambient", "--diffuse", "--specular", "--specular-power", "--light",
       "--ambient-light", "--outline", "--outline-color", "--outline-width", "--outline-opacity",
       "--toon-steps", "--tone-light", "--toon-ramp", "--toon-ramp-by", "--toon-ramp-exponent",
-      "--toon-ramp-range", "--matcap", "--outline-detector", "--outline-tolerance",
+      "--toon-ramp-range", "--matcap", "--hatch-spacing", "--hatch-darkest", "--hatch-ink",
+      "--hatch-paper", "--hatch-on", "--hatch-width", "--outline-detector", "--outline-tolerance",
       "--outline-crease-angle", "--output-normals", "--output-depth", "--output-ids",
       "--coloring-array", "--colormap", "--coloring-range", "--samples", "--backface-culling",
       "--threads", "--window", "--stats" })

@@ -45,6 +45,8 @@ CHOICES = {
         ["--tone=toon", "--toon-steps=5"],
         ["--toon-ramp=Data/Textures/toon_ramp.png"],
         ["--matcap=Data/Textures/lit_sphere.png"],
+        ["--tone=hatching", "--hatch-spacing=5"],
+        ["--tone=hatching", "--hatch-on=texture", "--hatch-darkest=1"],
     ],
     "texture": [
         [],
@@ -75,6 +77,7 @@ CHOICES = {
     "lines": [
         [],
         ["--lines=contour,border", "--stroke-width=3", "--hidden-lines=dashed"],
+        ["--lines=hatch,contour", "--hatch-width=0.9"],
         ["--lines=silhouette,crease,ridge,suggestive", "--outer-width=2", "--stroke-opacity=0.5", "--stroke-taper=9"],
         ["--lines=intersections,valley", "--ridge-threshold=0.05"],
     ],

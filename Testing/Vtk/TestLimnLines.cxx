@@ -381,6 +381,36 @@ void checkThresholds()
   CHECK(all > 0);
 }
 
+/// Strokes along the curvature: none in full light, made anew only when the mesh changes.
+void checkHatching()
+{
+  LineStage stage;
+  vtkNew<vtkSuperquadricSource> torus;
+  torus->ToroidalOn();
+  torus->SetSize(28);
+  torus->SetAxisOfSymmetry(2);
+  torus->SetThetaResolution(64);
+  torus->SetPhiResolution(64);
+  stage.Mapper->SetInputConnection(torus->GetOutputPort());
+  vtkCamera* const camera = stage.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(0, -100, 60);
+  camera->SetClippingRange(10, 300);
+  stage.Property->HatchLinesOn();
+  stage.Property->SetHatchSpacing(4);
+  const double lit = stage.Coverage();
+  CHECK(lit > 30);
+  stage.Property->SetHatchDarkest(0);
+  CHECK_EQUAL(stage.Coverage(), 0);
+  stage.Property->SetHatchDarkest(0.85);
+  stage.Property->SetAmbient(1);
+  stage.Renderer->SetAmbient(0.4, 0.4, 0.4);
+  const double brighter = stage.Coverage();
+  CHECK(brighter > 0 && brighter < lit);
+  stage.Renderer->SetAmbient(1, 1, 1);
+  CHECK_EQUAL(stage.Coverage(), 0);
+}
+
 /// Of point normals that change after a frame, or before the first.
 void checkChangedNormals()
 {
@@ -510,6 +540,7 @@ int TestLimnLines(int, char*[])
   checkShadow();
   checkIntersections();
   checkThresholds();
+  checkHatching();
   checkChangedNormals();
   checkDashAlone();
   checkTooWide();

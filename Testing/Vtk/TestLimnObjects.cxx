@@ -133,6 +133,12 @@ void checkPropertyCopy()
   picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
   property->SetToonRampImage(picture);
   property->SetMatCapImage(picture);
+  property->SetHatchDarkest(0.7);
+  property->SetHatchSpacing(4.5);
+  property->SetHatchUnitToMillimeters();
+  property->SetHatchPaper(0.9, 0.8, 0.7);
+  property->SetHatchInk(0.1, 0.2, 0.3);
+  property->SetHatchPlaceToTexture();
   property->CreaseLinesOn();
   property->BorderLinesOn();
   property->NonManifoldLinesOn();
@@ -149,6 +155,8 @@ void checkPropertyCopy()
   property->ShadowLinesOn();
   property->IntersectionLinesOn();
   property->SetLineLightsToAll();
+  property->HatchLinesOn();
+  property->SetHatchWidth(0.45);
   property->SetIdArrayName("part");
   property->SetCreaseAngle(25);
   property->SetStrokeWidth(0.35);
@@ -160,6 +168,16 @@ void checkPropertyCopy()
   property->SetStrokeDash(6);
   property->SetStrokeGap(3);
   property->SetHiddenLinesToDashed();
+  property->EyeDomeLightingOn();
+  property->SetEyeDomeStrength(2.25);
+  property->SetEyeDomeRadius(0.0035);
+  property->SetDepthUnsharpToBoth();
+  property->SetDepthUnsharpStrength(0.85);
+  property->SetDepthUnsharpRadius(0.045);
+  property->SetHaloWidth(1.75);
+  property->SetHaloUnitToPoints();
+  property->SetHaloDepth(2.75);
+  property->SetHaloColor(0.15, 0.35, 0.55);
   property->SetTextureRoleToSurface();
   property->SetTextureModeToDecal();
   property->SetProceduralTextureToMarble();

@@ -311,6 +311,21 @@ void checkTones()
     property->SetColor(1, 1, 1);
   };
   CHECK_EQUAL(colorWith(1, matCap), ink);
+  const auto hatching = [](vtkLimnProperty* property)
+  {
+    property->SetToneToHatching();
+    property->SetHatchPaper(1, 0.5, 1);
+    property->SetHatchDarkest(0);
+    property->SetColor(1, 1, 1);
+  };
+  CHECK_EQUAL(colorWith(1, hatching), (Pixel{ 255, 128, 255 }));
+  const auto inked = [](vtkLimnProperty* property)
+  {
+    property->SetToneToHatching();
+    property->SetHatchInk(0.2, 0, 0.4);
+    property->SetHatchDarkest(1);
+  };
+  CHECK_EQUAL(colorWith(0, inked), (Pixel{ 51, 0, 102 }));
   const auto aside = [](vtkLimnProperty* property)
   {
     property->SetToneToGooch();

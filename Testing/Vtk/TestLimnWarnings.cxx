@@ -237,6 +237,11 @@ void checkBrokenReflection()
       [](vtkLimnProperty* property) { property->SetToneToRamp(); } },
     { "MatCap of its vtkLimnProperty is not set, and the tone MatCap needs it.",
       [](vtkLimnProperty* property) { property->SetToneToMatCap(); } },
+    { "HatchSpacing of its vtkLimnProperty has the value 0; it has to be a finite number above 0.",
+      [](vtkLimnProperty* property) { property->SetHatchSpacing(0); } },
+    { "HatchInk of its vtkLimnProperty has the value -1; it has to be a finite number, not "
+      "negative.",
+      [](vtkLimnProperty* property) { property->SetHatchInk(0, -1, 0); } },
     { "ToonRampRange of its vtkLimnProperty has the value 5; it has to be above 0 and below the "
       "range's other end.",
       [](vtkLimnProperty* property)

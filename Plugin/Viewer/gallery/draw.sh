@@ -112,6 +112,8 @@ draw teapot_metal "Milled metal" "$teapot" --tone=metal --tone-light=upper-right
 draw knot_toon_ramp "X-Toon: far parts lose their contrast" "$meshes/knot.obj" \
   --toon-ramp=Data/Textures/toon_ramp.png --light=directional:0.7,-1,-0.8:1,1,1 --toon-ramp-range=11,15
 draw teapot_matcap "A picture of a lit sphere" "$teapot" --matcap=Data/Textures/lit_sphere.png
+draw knot_hatching "Hatching, as dense as it is dark" "$meshes/knot.obj" --tone=hatching "$lamp" "$dim" \
+  --outline=normal --outline-width=1.5 --samples=8
 draw teapot_hull "Outline by inverted hull, equally wide" \
   "$teapot" --reflection=none --specular=0,0,0 --color=1,1,1 --outline=hull --outline-width=3 --samples=8
 draw knot_gooch_hull "Gooch with such an outline" "$meshes/knot.obj" --tone=gooch --outline=hull \

@@ -124,7 +124,7 @@ Status SceneLines::add(const std::vector<const Surface*>& surfaces,
   const auto any = [&](bool Body::*wish) {
     return std::any_of(bodies.begin(), bodies.end(), [&](const Body& body) { return body.*wish; });
   };
-  std::vector<LightRays> lights = any(&Body::castsShadow) ? view.lights : std::vector<LightRays>();
+  std::vector<LightRays> lights = any(&Body::castsShadow) ? view.rays : std::vector<LightRays>();
   if (!lights.empty() && !any(&Body::hasAllLights))
   {
     lights.resize(1);

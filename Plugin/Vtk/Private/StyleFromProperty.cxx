@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StyleFromProperty.h"
 
+#include "CuesFromProperty.h"
 #include "LoadedTextures.h"
 #include "SurfaceShaderInternals.h"
 
 #include "vtkLimnProperty.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <sstream>
@@ -129,6 +131,8 @@ Tone toTone(int tone)
       return Tone::kRamp;
     case vtkLimnProperty::TONE_MAT_CAP:
       return Tone::kMatCap;
+    case vtkLimnProperty::TONE_HATCHING:
+      return Tone::kHatching;
     default:
       return Tone::kNone;
   }
@@ -204,6 +208,20 @@ ToneRamp rampOf(vtkLimnProperty* property)
   return ramp;
 }
 
+/// Its spacing is in pixels where the property's unit is.
+Hatching hatchingOf(vtkLimnProperty* property)
+{
+  Hatching hatching;
+  hatching.paper = toVec3f(property->GetHatchPaper());
+  hatching.ink = toVec3f(property->GetHatchInk());
+  hatching.spacing = static_cast<float>(hatchSpacingOf(property, 72));
+  hatching.darkest = static_cast<float>(property->GetHatchDarkest());
+  hatching.place = property->GetHatchPlace() == vtkLimnProperty::HATCH_ON_TEXTURE
+                     ? HatchPlace::kTexture
+                     : HatchPlace::kModel;
+  return hatching;
+}
+
 void setTone(vtkLimnProperty* property, Style& style)
 {
   style.tone = toTone(property->GetTone());
@@ -219,6 +237,7 @@ void setTone(vtkLimnProperty* property, Style& style)
   style.undertone = static_cast<float>(property->GetUndertone());
   style.legendSafeRange = static_cast<float>(property->GetLegendSafeRange());
   style.ramp = rampOf(property);
+  style.hatching = hatchingOf(property);
   if (style.tone == Tone::kRamp || style.tone == Tone::kMatCap)
   {
     // That it could not be loaded has been said.
@@ -415,6 +434,37 @@ std::string unusableToneOf(vtkLimnProperty* property)
   return {};
 }
 
+std::string unusableHatchingOf(vtkLimnProperty* property)
+{
+  const double spacing = property->GetHatchSpacing();
+  if (!std::isfinite(spacing) || spacing <= 0)
+  {
+    return fault(property, "HatchSpacing", spacing, "a finite number above 0");
+  }
+  if (!std::isfinite(property->GetHatchDarkest()))
+  {
+    return fault(property, "HatchDarkest", property->GetHatchDarkest(), "0 to 1");
+  }
+  if (!std::isfinite(property->GetHatchWidth()))
+  {
+    return fault(property, "HatchWidth", property->GetHatchWidth(), "a finite number above 0");
+  }
+  const std::pair<const char*, const double*> colors[] = {
+    { "HatchPaper", property->GetHatchPaper() }, { "HatchInk", property->GetHatchInk() }
+  };
+  for (const auto& [name, color] : colors)
+  {
+    for (const double value : Span<const double>(color, 3))
+    {
+      if (!std::isfinite(value) || value < 0)
+      {
+        return fault(property, name, value, "a finite number, not negative");
+      }
+    }
+  }
+  return {};
+}
+
 /// Of lines, whether any are drawn or not.
 std::string unusableStrokeValueOf(vtkProperty* property)
 {
@@ -521,7 +571,8 @@ std::string unusableValueOf(vtkProperty* property)
     }
   }
   for (const std::string& unusable :
-    { limn ? unusableToneOf(limn) : std::string(), unusableStrokeValueOf(property) })
+    { limn ? unusableToneOf(limn) : std::string(), limn ? unusableHatchingOf(limn) : std::string(),
+      unusableStrokeValueOf(property), unusableCueOf(property) })
   {
     if (!unusable.empty())
     {
@@ -529,6 +580,26 @@ std::string unusableValueOf(vtkProperty* property)
     }
   }
   return unusableTextureValueOf(property);
+}
+
+double pixelsPerUnit(int unit, double pixelsPerInch)
+{
+  switch (unit)
+  {
+    case vtkLimnProperty::STROKE_POINTS:
+      return pixelsPerInch / 72;
+    case vtkLimnProperty::STROKE_MILLIMETERS:
+      return pixelsPerInch / 25.4;
+    default:
+      return 1;
+  }
+}
+
+double hatchSpacingOf(vtkLimnProperty* property, double pixelsPerInch)
+{
+  const double pixels =
+    property->GetHatchSpacing() * pixelsPerUnit(property->GetHatchUnit(), pixelsPerInch);
+  return std::min(std::max(pixels, 1.0), static_cast<double>(kMaxHatchSpacing));
 }
 
 Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)

@@ -9,6 +9,7 @@
 
 #include <string>
 
+class vtkLimnProperty;
 class vtkProperty;
 
 namespace limn::bridge
@@ -22,6 +23,12 @@ std::string unusableValueOf(vtkProperty* property);
 /// How the property wants `mesh` shaded; the rules of VTK's shaders unless it is a vtkLimnProperty
 /// that chooses something else.
 Style styleOf(vtkProperty* property, const SurfaceMesh& mesh);
+
+/// Of vtkLimnProperty::StrokeUnits.
+double pixelsPerUnit(int unit, double pixelsPerInch);
+/// Its HatchSpacing, bounded to what Hatching::spacing may be. styleOf() has it for 72 pixels an
+/// inch.
+double hatchSpacingOf(vtkLimnProperty* property, double pixelsPerInch);
 
 /// Whether the property asks for an inverted hull that can be seen.
 bool hasHull(vtkProperty* property);

@@ -249,6 +249,11 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
   {
     textures->apply(surface.actor, surface.mapper, data, instance);
   }
+  if (instance.attributes.uv.empty())
+  {
+    // That there are no coordinates has been said.
+    instance.style.hatching.place = HatchPlace::kModel;
+  }
   setTransparency(surface, instance);
   return true;
 }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceLines.h"
 
+#include "StyleFromProperty.h"
+
 #include "vtkLimnProperty.h"
 
 #include "Rendering/Lines/Terminator.h"
@@ -38,19 +40,6 @@ bool wantsCurves(vtkLimnProperty* property)
   return property->GetRidgeLines() || property->GetValleyLines() || property->GetSuggestiveLines();
 }
 
-double pixelsOf(vtkLimnProperty* property, double pixelsPerInch)
-{
-  switch (property->GetStrokeUnit())
-  {
-    case vtkLimnProperty::STROKE_POINTS:
-      return property->GetStrokeWidth() * pixelsPerInch / 72;
-    case vtkLimnProperty::STROKE_MILLIMETERS:
-      return property->GetStrokeWidth() * pixelsPerInch / 25.4;
-    default:
-      return property->GetStrokeWidth();
-  }
-}
-
 } // namespace
 
 LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch)
@@ -59,7 +48,8 @@ LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch)
   const double* const color = property->GetStrokeColor();
   style.color = vec3Cast<float>(Vec3d{ color[0], color[1], color[2] });
   style.opacity = static_cast<float>(property->GetStrokeOpacity());
-  style.width = static_cast<float>(pixelsOf(property, pixelsPerInch));
+  style.width = static_cast<float>(
+    property->GetStrokeWidth() * pixelsPerUnit(property->GetStrokeUnit(), pixelsPerInch));
   style.outerFactor = static_cast<float>(property->GetOuterWidthFactor());
   style.taper = static_cast<float>(property->GetStrokeTaper());
   if (property->GetStrokeDash() > 0 && property->GetStrokeGap() > 0)
@@ -142,7 +132,7 @@ bool wantsLines(vtkProperty* property)
 {
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
   return limn && (kindsOf(limn) != 0 || limn->GetContourLines() || limn->GetSilhouetteLines() ||
-                   limn->GetTerminatorLines() || wantsCurves(limn));
+                   limn->GetTerminatorLines() || wantsCurves(limn) || limn->GetHatchLines());
 }
 
 bool SurfaceLines::NormalsVersion::operator==(const NormalsVersion& other) const
@@ -180,6 +170,7 @@ Status SurfaceLines::update(vtkIdType geometry, const Instance& instance, int th
   ridges_.reset();
   valleys_.reset();
   terminators_.clear();
+  strokes_.reset();
   const Status status = buildEdgeTable(instance.mesh, 0, threads, table_);
   if (status.ok())
   {
@@ -248,6 +239,7 @@ void SurfaceLines::updateCurvature(
   curvedNormals_ = normals;
   ridges_.reset();
   valleys_.reset();
+  strokes_.reset();
   this->weld(instance.mesh);
   const MeshView mesh = this->weldedMesh(instance.mesh);
   if (hasNormals)
@@ -336,12 +328,11 @@ Status SurfaceLines::addTerminators(
   arrays.vertexNormals = normals_.normals;
   arrays.normalOfCorner = normals_.ofCorner;
   const bool isOfAll = property->GetLineLights() == vtkLimnProperty::LINE_LIGHTS_ALL;
-  const std::size_t count =
-    isOfAll ? view.lights.size() : std::min<std::size_t>(1, view.lights.size());
+  const std::size_t count = isOfAll ? view.rays.size() : std::min<std::size_t>(1, view.rays.size());
   std::vector<Terminator> terminators;
   for (std::size_t i = 0; i < count; ++i)
   {
-    Terminator one = { view.lights[i], instance.modelToWorld, creaseDegrees, {} };
+    Terminator one = { view.rays[i], instance.modelToWorld, creaseDegrees, {} };
     const auto kept = std::find_if(terminators_.begin(), terminators_.end(),
       [&one](const Terminator& other)
       {
@@ -397,6 +388,30 @@ void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const
   }
 }
 
+LineSet SurfaceLines::hatchLinesOf(vtkLimnProperty* property, vtkPolyData* data,
+  const LineView& view, const Instance& instance, FrameLines& frame)
+{
+  this->updateCurvature(normalsVersion(property, data, instance), instance, view.threads);
+  const CurvedSurface surface = this->curved(instance.mesh);
+  if (!strokes_)
+  {
+    const std::vector<Vec3f> field = hatchField(surface, view.threads);
+    strokes_ =
+      std::make_unique<const HatchStrokes>(traceHatching(surface, table_, field, view.threads));
+  }
+  const Material& material = instance.material;
+  const HatchView hatchView = { view.camera,
+    material.ambientColor * material.ambient * view.ambientLight, view.lights,
+    instance.style.fallOff, instance.style.toneLight, view.height, instance.style.hatching.spacing,
+    instance.style.hatching.darkest };
+  frame.hatches.push_back(std::make_unique<const ContourLines>(
+    hatchLines(*strokes_, instance.modelToWorld, hatchView, view.threads)));
+  LineStyle style = strokeStyleOf(property, view.pixelsPerInch);
+  style.width *= static_cast<float>(property->GetHatchWidth());
+  style.taper = std::max(style.taper, hatchView.spacing);
+  return frame.hatches.back()->lines(style);
+}
+
 Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType geometry,
   const LineView& view, Instance& instance, FrameLines& frame)
 {
@@ -439,6 +454,10 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
     this->addCurves(property, data, view, instance, frame);
   }
   auto sets = std::make_unique<std::vector<LineSet>>();
+  if (property->GetHatchLines())
+  {
+    sets->push_back(this->hatchLinesOf(property, data, view, instance, frame));
+  }
   for (std::size_t i = firstEdges; i < frame.edges.size(); ++i)
   {
     sets->push_back(frame.edges[i]->chains.lines(instance.mesh, style));

@@ -4,7 +4,7 @@
 #define SurfaceLines_h
 
 #include "Rendering/Base/Status.h"
-#include "Rendering/Lines/SurfaceCurves.h"
+#include "Rendering/Lines/HatchLines.h"
 #include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Scene.h"
 #include "Rendering/Vertex/LightRays.h"
@@ -34,8 +34,11 @@ Status checkStroke(const LineStyle& style);
 struct LineView
 {
   Camera camera;
+  Vec3f ambientLight = { 0, 0, 0 };
+  Span<const Light> lights;
+  int height = 1; ///< of the picture, in pixels
   double pixelsPerInch = 72;
-  std::vector<LightRays> lights; ///< of those that are on; headlights last
+  std::vector<LightRays> rays; ///< of the lights those that are on; headlights last
   int threads = 0;
 };
 
@@ -48,6 +51,7 @@ struct FrameLines
   std::vector<std::unique_ptr<std::vector<LineSet>>> sets; ///< of one instance each
   std::vector<std::shared_ptr<const EdgeChains>> edges;
   std::vector<std::shared_ptr<const ContourLines>> contours;
+  std::vector<std::unique_ptr<const ContourLines>> hatches;
 };
 
 /// What one mapper keeps of its lines between frames: what does not depend on the camera is made
@@ -103,6 +107,9 @@ private:
   void addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
     const Instance& instance, FrameLines& frame);
 
+  LineSet hatchLinesOf(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
+    const Instance& instance, FrameLines& frame);
+
   vtkIdType geometry_ = -1;
   vtkIdType edgeBuilds_ = 0;
   EdgeTable table_;
@@ -125,6 +132,7 @@ private:
     std::shared_ptr<const ContourLines> lines;
   };
   std::vector<Terminator> terminators_;
+  std::unique_ptr<const HatchStrokes> strokes_;
 };
 
 } // namespace limn::bridge

@@ -2,12 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePass.h"
 
+#include "StyleFromProperty.h"
+
 #include "BackendMapper.h"
 #include "ClearViewport.h"
+#include "CuesFromProperty.h"
 #include "EngineState.h"
 #include "InteractiveSamples.h"
 #include "SceneFromRenderer.h"
 
+#include "vtkLimnProperty.h"
 #include "vtkLimnCompositor.h"
 #include "vtkLimnPolyDataMapper.h"
 #include "vtkLimnRenderWindow.h"
@@ -121,6 +125,15 @@ void describeSceneLines(const std::vector<const Surface*>& described, const Line
   }
 }
 
+/// Points and millimetres become pixels of the window.
+void setHatchSpacing(const Surface& surface, const LineView& view, Instance& instance)
+{
+  if (vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(surface.actor->GetProperty()))
+  {
+    instance.style.hatching.spacing = static_cast<float>(hatchSpacingOf(limn, view.pixelsPerInch));
+  }
+}
+
 Drawables describeAll(
   const std::vector<Surface>& surfaces, const LineView& view, SceneLines& sceneLines)
 {
@@ -138,7 +151,10 @@ Drawables describeAll(
           &drawables.textures, hasSceneLines))
     {
       described.push_back(&surface);
+      setHatchSpacing(surface, view, drawables.instances.back());
       describeLines(surface, view, drawables.instances.back(), drawables.lines);
+      drawables.instances.back().style.cues =
+        cuesOf(surface.actor->GetProperty(), view.pixelsPerInch);
       drawables.actors.push_back(surface.actor);
       if (Instance hull; describeHull(surface, hull))
       {
@@ -339,10 +355,15 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   const Clock::time_point start = Clock::now();
   LineView view;
   view.camera = cameraOf(renderer_);
+  const std::vector<Light> lights = lightsOf(renderer_);
+  view.lights = lights;
+  view.ambientLight = ambientLightOf(renderer_);
+  int place[4];
+  renderer_->GetTiledSizeAndOrigin(&place[0], &place[1], &place[2], &place[3]);
+  view.height = std::max(place[1], 1);
   view.pixelsPerInch = renderer_->GetRenderWindow()->GetDPI();
   view.threads = EngineState::instance().options.threads;
-  const std::vector<Light> lights = lightsOf(renderer_);
-  view.lights = raysOf(lights, view.camera);
+  view.rays = raysOf(lights, view.camera);
   Drawables drawables = describeAll(surfaces, view, sceneLines_);
   if (drawables.instances.empty())
   {
@@ -361,7 +382,7 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   }
   Scene scene;
   scene.camera = view.camera;
-  scene.ambientLight = ambientLightOf(renderer_);
+  scene.ambientLight = view.ambientLight;
   scene.lights = lights;
   scene.instances = drawables.instances;
   const double milliseconds = millisecondsSince(start);

@@ -48,6 +48,13 @@ public:
 
   void setMatrix(const double* matrix) { matrix_ = matrix; }
 
+  /// The input's texture coordinates are read without a texture.
+  void requireCoordinates(const char* loss)
+  {
+    TextureLayer none;
+    this->setActive(none, loss, "Make some, for example with vtkTextureMapToPlane.");
+  }
+
   /// By the input's texture coordinates.
   void add(vtkTexture* texture, TextureLayer layer)
   {
@@ -302,13 +309,19 @@ void FrameTextures::apply(
   vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkPolyData* data, Instance& instance)
 {
   const bool hasScalars = interpolatesScalars(mapper, data, instance.style.frequency);
-  if (!hasScalars && !hasTextures(actor))
+  const bool hatchesTexture =
+    instance.style.tone == Tone::kHatching && instance.style.hatching.place == HatchPlace::kTexture;
+  if (!hasScalars && !hasTextures(actor) && !hatchesTexture)
   {
     return;
   }
   MapperTextures& kept = mapper->GetInternals().Textures;
   auto layers = std::make_unique<Layers>();
   LayerList list(data, kept, instance);
+  if (hatchesTexture)
+  {
+    list.requireCoordinates("hatching lies on the model");
+  }
   if (hasScalars)
   {
     addScalars(mapper, list);

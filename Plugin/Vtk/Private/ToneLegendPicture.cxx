@@ -85,6 +85,7 @@ void setLook(vtkProperty* property, Instance& instance)
   instance.style = styleOf(look, SurfaceMesh());
   instance.style.toneLight = ToneLight::kFirst;
   instance.style.toneHighlight = ToneHighlight::kNone;
+  instance.style.hatching.place = HatchPlace::kModel;
 }
 
 } // namespace

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CuesFromProperty_h
+#define CuesFromProperty_h
+
+#include "Rendering/DepthCues.h"
+
+#include <string>
+
+class vtkProperty;
+
+namespace limn::bridge
+{
+
+/// The depth cues that the property asks for, in a window of so many pixels an inch.
+DepthCues cuesOf(vtkProperty* property, double pixelsPerInch);
+
+/// The first value of cues that are asked for that cannot be drawn, in words; empty if there is
+/// none.
+std::string unusableCueOf(vtkProperty* property);
+
+} // namespace limn::bridge
+
+#endif

@@ -1,0 +1,187 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Lines/HatchLines.h"
+
+#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/Power.h"
+#include "Rendering/Vertex/PlaceLights.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+namespace {
+
+constexpr std::size_t kPerTask = 4096;
+
+double bounded(double x)
+{
+  return x > 0 ? (x < 1 ? x : 1.0) : 0.0;
+}
+
+double strongest(Vec3d color)
+{
+  return std::max({color.x, color.y, color.z});
+}
+
+/// Of strokes, in a view.
+class RankLimits {
+ public:
+  RankLimits(const HatchStrokes& strokes, const Mat4d& modelToWorld, const HatchView& view)
+      : strokes_(strokes),
+        view_(view),
+        lights_(placeLights(view.lights, view.camera)),
+        toView_(view.camera.worldToView * modelToWorld),
+        normalToView_(cofactor3(toView_)),
+        side_(determinant3(toView_) < 0 ? -1.0 : 1.0)
+  {
+  }
+
+  /// The rank below which strokes of a family are drawn at a point.
+  double limit(std::uint32_t point, bool isCross) const
+  {
+    const Vec3d p = transformPoint(toView_, strokes_.points[point]);
+    const Vec3d toEye = view_.camera.parallel ? Vec3d{0, 0, 1} : normalized(-p);
+    Vec3d n =
+        normalized(transformDirection(normalToView_, vec3Cast<double>(strokes_.normals[point]))) *
+        side_;
+    if (dot(n, toEye) < 0) n = -n;
+    const double dark = static_cast<double>(view_.darkest) * (1 - bounded(lightAt(p, n)));
+    const double share = isCross ? bounded(2 * dark - 1) : bounded(2 * dark);
+    // What a unit of the model across the stroke is on the screen.
+    const Vec3d across = transformDirection(toView_, vec3Cast<double>(strokes_.across[point]));
+    const Vec3d seen = across - toEye * dot(across, toEye);
+    const double pixels = std::sqrt(dot(seen, seen)) * pixelsPerUnit(p);
+    return share * (pixels * strokes_.spacing / static_cast<double>(view_.spacing));
+  }
+  /// Strokes cut corners of the mesh by about so much, in view units.
+  double slack() const
+  {
+    const Vec3d x = transformDirection(toView_, Vec3d{1, 0, 0});
+    return 0.5 * strokes_.step * std::sqrt(dot(x, x));
+  }
+
+ private:
+  double pixelsPerUnit(Vec3d p) const
+  {
+    const double scale = view_.camera.viewToClip.m[1][1] * view_.height / 2;
+    if (view_.camera.parallel) return scale;
+    return p.z < 0 ? scale / -p.z : 0.0;
+  }
+  double lightAt(Vec3d p, Vec3d n) const
+  {
+    const double sqrtHalf = std::sqrt(0.5);
+    if (view_.toneLight == ToneLight::kUpperRight)
+      return 0.5 * (1 + dot(n, Vec3d{sqrtHalf, sqrtHalf, 0}));
+    Vec3d sum = vec3Cast<double>(view_.ambientLight);
+    for (const ViewLight& light : lights_) {
+      Vec3d toward = vec3Cast<double>(light.towardLight);
+      const double fall = light.positional() ? fallAt(light, p, toward) : 1.0;
+      const double nl = dot(n, toward);
+      if (nl > 0) sum = sum + vec3Cast<double>(light.color) * (fall * nl);
+    }
+    return strongest(sum);
+  }
+  /// And the direction to the light.
+  double fallAt(const ViewLight& light, Vec3d p, Vec3d& toward) const
+  {
+    const Vec3d way = vec3Cast<double>(light.position) - p, axis = toward;
+    const double squared = dot(way, way), distance = std::sqrt(squared);
+    toward = normalized(way);
+    const Vec3d a = vec3Cast<double>(light.attenuation);
+    const double denominator = a.x + a.y * distance + a.z * squared;
+    double fall = !view_.fallOff ? 1.0 : denominator > 0 ? 1 / denominator : 0.0;
+    const double cosine = dot(toward, axis);
+    if (light.kind == LightKind::kRectangle) return fall * std::max(0.0, cosine);
+    if (light.kind != LightKind::kSpot) return fall;
+    if (cosine < static_cast<double>(light.coneCosine)) return 0;
+    fall *= static_cast<double>(power(static_cast<float>(cosine), light.exponent));
+    const double soft = bounded((cosine - static_cast<double>(light.coneCosine)) *
+                                static_cast<double>(light.softScale));
+    return light.softScale > 0 ? fall * (soft * soft * (3 - 2 * soft)) : fall;
+  }
+
+  const HatchStrokes& strokes_;
+  const HatchView& view_;
+  std::vector<ViewLight> lights_;
+  Mat4d toView_, normalToView_;
+  double side_;
+};
+
+/// Puts together what is drawn.
+class PartWriter {
+ public:
+  PartWriter(const HatchStrokes& strokes, float slack, ContourLines& lines)
+      : strokes_(strokes), slack_(slack), lines_(lines)
+  {
+    lines_.chains.first.push_back(0);
+  }
+
+  /// `limit` is that of each of the stroke's points in turn.
+  void write(std::size_t stroke, const std::vector<double>& limit)
+  {
+    const std::uint32_t first = strokes_.first[stroke], end = strokes_.first[stroke + 1];
+    const auto rank = static_cast<double>(strokes_.rank[stroke]);
+    bool isOpen = false;
+    for (std::uint32_t i = first; i < end; ++i) {
+      const double here = limit[i] - rank;
+      if (i > first && (limit[i - 1] - rank >= 0) != (here >= 0)) {
+        const double before = limit[i - 1] - rank, t = before / (before - here);
+        const Vec3d a = pointOf(i - 1), b = pointOf(i);
+        put(a + (b - a) * t);
+      }
+      if (here >= 0) put(pointOf(i));
+      if (isOpen && here < 0) close();
+      isOpen = here >= 0;
+    }
+    if (!isOpen) return;
+    // A ring that is drawn as a whole has no ends.
+    std::vector<std::uint32_t>& vertex = lines_.chains.vertex;
+    const std::uint32_t begin = lines_.chains.first.back();
+    const bool isRing = end - first > 3 && strokes_.vertex[first] == strokes_.vertex[end - 1];
+    if (isRing && vertex.size() - begin == end - first) vertex.back() = vertex[begin];
+    close();
+  }
+
+ private:
+  Vec3d pointOf(std::uint32_t i) const { return strokes_.points[strokes_.vertex[i]]; }
+  void put(Vec3d p)
+  {
+    lines_.chains.vertex.push_back(static_cast<std::uint32_t>(lines_.points.size()));
+    lines_.points.push_back(p);
+    lines_.slack.push_back(slack_);
+  }
+  void close()
+  {
+    lines_.chains.first.push_back(static_cast<std::uint32_t>(lines_.chains.vertex.size()));
+  }
+
+  const HatchStrokes& strokes_;
+  float slack_;
+  ContourLines& lines_;
+};
+
+}  // namespace
+
+ContourLines hatchLines(const HatchStrokes& strokes, const Mat4d& modelToWorld,
+                        const HatchView& view, int threads)
+{
+  const RankLimits limits(strokes, modelToWorld, view);
+  std::vector<double> limit(strokes.vertex.size());
+  std::vector<char> isCross(strokes.vertex.size());
+  for (std::size_t s = 0; s < strokes.strokeCount(); ++s)
+    std::fill(isCross.begin() + strokes.first[s], isCross.begin() + strokes.first[s + 1],
+              strokes.isCross[s]);
+  parallelFor(threads, (limit.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {
+    const std::size_t end = std::min(limit.size(), (task + 1) * kPerTask);
+    for (std::size_t i = task * kPerTask; i < end; ++i)
+      limit[i] = limits.limit(strokes.vertex[i], isCross[i] != 0);
+  });
+  ContourLines lines;
+  PartWriter writer(strokes, static_cast<float>(limits.slack()), lines);
+  for (std::size_t s = 0; s < strokes.strokeCount(); ++s)
+    writer.write(s, limit);
+  return lines;
+}
+
+}  // namespace limn

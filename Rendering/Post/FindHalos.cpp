@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Post/FindHalos.h"
+
+#include "Rendering/Post/EffectPass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace limn {
+
+HaloFinder::HaloFinder(const CuePass& pass, const DistancePlane& distances)
+    : pass_(pass), distances_(distances)
+{
+  for (const Instance& instance : pass.scene.instances) {
+    const float width = hasCues(instance) ? instance.style.cues.halo.width : 0.0f;
+    width_.push_back(width);
+    if (width > 0.0f) reach_ = std::max(reach_, static_cast<int>(std::ceil(width)) + 1);
+  }
+}
+
+void HaloFinder::find()
+{
+  SurfaceLayers& layers = pass_.layers;
+  borders_.resize(static_cast<std::size_t>(layers.height));
+  layers.halo.resize(layers.instance.size());
+  owner_.resize(layers.instance.size());
+  forEachRow(pass_.threads, layers.height, [&](int y) { findBorders(y); });
+  forEachRow(pass_.threads, layers.height, [&](int y) { findShares(y); });
+}
+
+/// How far a pixel is before or behind a distance beside it, if it shows the instance.
+float HaloFinder::slopeTo(int x, int y, float distance, std::uint32_t instance) const
+{
+  const SurfaceLayers& layers = pass_.layers;
+  if (x < 0 || y < 0 || x >= layers.width || y >= layers.height ||
+      layers.instance[layers.indexOf(x, y)] != instance)
+    return 0.0f;
+  const float change = distances_.row(y)[x] - distance;
+  return change < 0.0f ? -change : change;
+}
+
+/// Whether the surface ends there: before others, before parts of itself, too.
+HaloFinder::End HaloFinder::endAt(int x, int y) const
+{
+  const SurfaceLayers& layers = pass_.layers;
+  const std::size_t index = layers.indexOf(x, y);
+  const std::uint32_t instance = layers.instance[index];
+  const float own = distances_.row(y)[x];
+  const float slope = haloOf(index).depth * layers.surface[index].point.pixel;
+  const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, distances_.width - 1);
+  const int y0 = std::max(y - 1, 0), y1 = std::min(y + 1, distances_.height - 1);
+  End end = End::kNone;
+  for (int row = y0; row <= y1; ++row)
+    for (int column = x0; column <= x1; ++column) {
+      const float other = distances_.row(row)[column], jump = other - own;
+      if (other != DistancePlane::kFar && !(jump > slope)) continue;
+      if (layers.instance[layers.indexOf(column, row)] != instance) {
+        end = End::kBeforeOthers;
+        continue;
+      }
+      // A rounded surface gets steep by and by.
+      const float before = slopeTo(2 * x - column, 2 * y - row, own, instance);
+      const float after = slopeTo(2 * column - x, 2 * row - y, other, instance);
+      if (jump > 2.0f * (before < after ? after : before)) return End::kBeforeItself;
+    }
+  return end;
+}
+
+void HaloFinder::findBorders(int y)
+{
+  const SurfaceLayers& layers = pass_.layers;
+  std::vector<Column>& columns = borders_[static_cast<std::size_t>(y)];
+  const std::uint32_t* const instance = layers.instance.data() + layers.indexOf(0, y);
+  for (int x = 0; x < layers.width; ++x) {
+    if (instance[x] == kNobody || !(width_[instance[x]] > 0.0f)) continue;
+    const End end = endAt(x, y);
+    if (end != End::kNone) columns.push_back({x, end == End::kBeforeItself});
+  }
+}
+
+void HaloFinder::findShares(int y)
+{
+  SurfaceLayers& layers = pass_.layers;
+  std::fill_n(layers.halo.data() + layers.indexOf(0, y), static_cast<std::size_t>(layers.width),
+              0.0f);
+  for (int row = std::max(y - reach_, 0); row <= std::min(y + reach_, layers.height - 1); ++row)
+    for (const Column& column : borders_[static_cast<std::size_t>(row)])
+      addHalo(y, column, row);
+}
+
+/// Of parts of one instance: whether they are different surfaces.
+bool HaloFinder::isStep(std::size_t behind, std::size_t before) const
+{
+  const SurfaceLayer &first = pass_.layers.surface[behind], &second = pass_.layers.surface[before];
+  const Style& style = pass_.scene.instances[pass_.layers.instance[before]].style;
+  const float a = stepTolerance(style, first.point), b = stepTolerance(style, second.point);
+  return PlaneDistances(first, second).areStep(a < b ? b : a);
+}
+
+HaloFinder::Border HaloFinder::borderAt(Column column, int y) const
+{
+  const int x = column.x;
+  const std::size_t index = pass_.layers.indexOf(x, y);
+  const SurfaceLayer& layer = pass_.layers.surface[index];
+  const Halo& halo = haloOf(index);
+  return {index,
+          distances_.row(y)[x],
+          halo.width,
+          halo.depth * halo.width * layer.point.pixel,
+          static_cast<float>(layer.count) / static_cast<float>(pass_.scene.samples),
+          column.isBeforeItself};
+}
+
+/// How wide a border's halo is over what lies so far; 0: none, unless both are of one surface.
+float HaloFinder::widthOver(const Border& border, float other)
+{
+  const float behind = other - border.distance;
+  if (other == DistancePlane::kFar || !(behind > 0.0f)) return 0.0f;
+  const float t = behind < border.full ? behind / border.full : 1.0f;
+  return border.width * ((t * t) * (3.0f - 2.0f * t));
+}
+
+bool HaloFinder::areOneSurface(std::size_t behind, const Border& border) const
+{
+  return pass_.layers.instance[behind] == pass_.layers.instance[border.index] &&
+         !(border.isBeforeItself && isStep(behind, border.index));
+}
+
+/// Over the pixels of row y, of the surface that ends in another row.
+void HaloFinder::addHalo(int y, Column end, int row)
+{
+  const int column = end.x;
+  SurfaceLayers& layers = pass_.layers;
+  const Border border = borderAt(end, row);
+  const auto dy = static_cast<float>(y - row);
+  const int reach = static_cast<int>(std::ceil(border.width)) + 1;
+  if (y - row > reach || row - y > reach) return;
+  for (int x = std::max(column - reach, 0); x <= std::min(column + reach, layers.width - 1); ++x) {
+    const float width = widthOver(border, distances_.row(y)[x]);
+    if (width == 0.0f) continue;
+    const auto dx = static_cast<float>(x - column);
+    const float fromBorder = std::sqrt(dx * dx + dy * dy) - (border.covered - 0.5f);
+    const float unbounded = width + 0.5f - fromBorder;
+    const float share = unbounded < 1.0f ? unbounded : 1.0f;
+    const std::size_t index = layers.indexOf(x, y);
+    if (!(share > 0.0f) || share < layers.halo[index]) continue;
+    const bool isBetter = share > layers.halo[index] ||
+                          border.distance < -layers.surface[owner_[index]].point.position.z;
+    if (!isBetter || areOneSurface(index, border)) continue;
+    layers.halo[index] = share;
+    owner_[index] = static_cast<std::uint32_t>(border.index);
+  }
+}
+
+float HaloFinder::shareBehind(Column end, int y) const
+{
+  const int x = end.x;
+  const Border border = borderAt(end, y);
+  if (border.covered == 1.0f) return 0.0f;
+  float most = 0.0f;
+  const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, distances_.width - 1);
+  const int y0 = std::max(y - 1, 0), y1 = std::min(y + 1, distances_.height - 1);
+  for (int row = y0; row <= y1; ++row)
+    for (int column = x0; column <= x1; ++column) {
+      const float width = widthOver(border, distances_.row(row)[column]);
+      if (width > most && !areOneSurface(pass_.layers.indexOf(column, row), border)) most = width;
+    }
+  const float share = most / (1.0f - border.covered);
+  return share < 1.0f ? share : 1.0f;
+}
+
+}  // namespace limn

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Post/CuePass.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace limn {
+
+/// Which pixels of a frame have a halo over them, and whose.
+class HaloFinder {
+ public:
+  HaloFinder(const CuePass& pass, const DistancePlane& distances);
+
+  bool any() const { return reach_ > 0; }
+  /// Fills SurfaceLayers::halo.
+  void find();
+
+  /// Requires: SurfaceLayers::halo there is not 0.
+  Vec3f colorAt(std::size_t index) const { return haloOf(owner_[index]).color; }
+  /// Where a surface with a halo ends: before others or the background; before itself, too.
+  struct Column {
+    int x;
+    bool isBeforeItself;
+  };
+  /// Those of a row, in their order.
+  const std::vector<Column>& bordersOf(int y) const
+  {
+    return borders_[static_cast<std::size_t>(y)];
+  }
+  /// Of a pixel that is one of these: the share that its halo has of what its surface leaves of it,
+  /// which lies behind.
+  float shareBehind(Column end, int y) const;
+
+ private:
+  const Halo& haloOf(std::size_t index) const
+  {
+    return pass_.scene.instances[pass_.layers.instance[index]].style.cues.halo;
+  }
+  struct Border {
+    std::size_t index;
+    float distance, width, full;  ///< the width is that from the depth difference `full` on
+    float covered;                ///< share of the pixel
+    bool isBeforeItself;
+  };
+
+  Border borderAt(Column column, int y) const;
+  static float widthOver(const Border& border, float other);
+  bool areOneSurface(std::size_t behind, const Border& border) const;
+  float slopeTo(int x, int y, float distance, std::uint32_t instance) const;
+  enum class End : std::uint8_t { kNone, kBeforeOthers, kBeforeItself };
+  End endAt(int x, int y) const;
+  void findBorders(int y);
+  void findShares(int y);
+  void addHalo(int y, Column end, int row);
+  bool isStep(std::size_t behind, std::size_t before) const;
+
+  const CuePass& pass_;
+  const DistancePlane& distances_;
+  int reach_ = 0;             ///< of the widest halo, in pixels
+  std::vector<float> width_;  ///< by instance; 0: none
+  std::vector<std::vector<Column>> borders_;
+  Array<std::uint32_t> owner_;  ///< pixel whose surface has the halo
+};
+
+}  // namespace limn
