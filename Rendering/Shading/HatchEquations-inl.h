@@ -24,6 +24,9 @@ class HatchPen {
   using Numbers = hn::Vec<hn::RebindToSigned<D>>;
   /// One coordinate's part in four texels: two of the finer level, then two of the coarser.
   struct Taps {
+    // Written out, since GCC makes an implicit one outside of the instruction set's region.
+    HWY_INLINE Taps() {}
+
     Numbers texel[4];
     V weight[4];
   };
