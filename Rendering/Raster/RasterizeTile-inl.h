@@ -619,12 +619,14 @@ class ByteTable {
   using D = hn::ScalableTag<std::uint8_t>;
   using V = hn::Vec<D>;
 
-  /// Numbers below kMaxClusterVertices, and their bits 4 and 5 as signs.
+  /// Numbers below kMaxClusterVertices: their low four bits, and bits 4 and 5 as signs.
   struct Index {
-    V number;
+    V low;
     hn::Vec<hn::RebindToSigned<D>> bit4, bit5;
 
-    explicit Index(V i) : number(i), bit4(signOf<3>(i)), bit5(signOf<2>(i)) {}
+    explicit Index(V i) : low(hn::And(i, hn::Set(D(), 15))), bit4(signOf<3>(i)), bit5(signOf<2>(i))
+    {
+    }
 
    private:
     template <int kShift>
@@ -649,8 +651,7 @@ class ByteTable {
   HWY_INLINE V operator[](const Index& i) const
   {
     const auto found = [&](int quarter) HWY_ATTR {
-      return hn::BitCast(hn::RebindToSigned<D>(),
-                         hn::TableLookupBytes(quarter_[quarter], i.number));
+      return hn::BitCast(hn::RebindToSigned<D>(), hn::TableLookupBytes(quarter_[quarter], i.low));
     };
     const auto lower = hn::IfNegativeThenElse(i.bit4, found(1), found(0));
     const auto upper = hn::IfNegativeThenElse(i.bit4, found(3), found(2));
