@@ -189,11 +189,20 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
   return stats;
 }
 
+/// Whether pixels are among those touched, or next to them.
+bool areNear(const TileRectangle& pixels, const TileRectangle& touched)
+{
+  return pixels.x0 <= touched.x1 && touched.x0 <= pixels.x1 && pixels.y0 <= touched.y1 &&
+         touched.y0 <= pixels.y1;
+}
+
 TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
                    const FrameView& frame, const LayerTarget* layers)
 {
   const TileRectangle pixels = bins.grid.rectangle(tile);
   const bool isEmpty = bins.clustersOf(tile).empty();
+  if (layers != nullptr && (layers->isWhole || areNear(pixels, bins.touched)))
+    clearLayers(pixels, layers->layers);
   if (!isToBeCleared(frame.clear, pixels, bins.touched))
     return isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, frame, pixels, layers);
   TileFrame& fresh = tileMemory().fresh;
@@ -222,13 +231,14 @@ PixelRectangle rectangleOf(const TileRectangle& pixels)
 }
 
 /// Room for what the pixels show, if a pass over the finished picture asks for that.
-std::optional<LayerTarget> layersFor(const Scene& scene, const FrameView& frame, int threads)
+std::optional<LayerTarget> layersFor(const Scene& scene, const FrameView& frame)
 {
   const auto asks = [](const Instance& one) { return hasImageOutline(one) || hasCues(one); };
   if (std::none_of(scene.instances.begin(), scene.instances.end(), asks)) return {};
   thread_local SurfaceLayers layers;
-  beginLayers(frame, threads, layers);
-  return LayerTarget{{scene.camera, frame.width, frame.height}, frame.background, layers};
+  beginLayers(scene, frame, layers);
+  const bool isWhole = std::any_of(scene.instances.begin(), scene.instances.end(), hasCues);
+  return LayerTarget{frame.background, layers, isWhole};
 }
 
 void countScene(const PlacedScene& scene, const TileBins& bins, RenderStats& stats)
@@ -265,7 +275,7 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   stats.binMilliseconds = binTime.milliseconds();
 
   const Stopwatch tileTime;
-  const std::optional<LayerTarget> layers = layersFor(scene, frame, options.threads);
+  const std::optional<LayerTarget> layers = layersFor(scene, frame);
   std::atomic<std::size_t> occluded = 0, truncated = 0;
   parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
     const TileStats drawn = drawTile(placed, bins, tile, frame, layers ? &*layers : nullptr);

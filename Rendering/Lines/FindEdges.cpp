@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 namespace limn {
 namespace {
@@ -28,32 +29,48 @@ EdgeFinder::EdgeFinder(const OutlinePass& pass)
 {
   for (const Instance& instance : pass.scene.instances) {
     const ImageOutline& outline = instance.style.imageOutline;
-    settings_.push_back({hasImageOutline(instance), outline.detector, outline.depthTolerance,
-                         1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees))});
+    const bool isOutlined = hasImageOutline(instance);
+    const float crease = 1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees));
+    settings_.push_back({isOutlined, outline.detector, crease});
+    bounds_.asks.push_back(
+        !isOutlined
+            ? 0
+            : kMayHaveEdge | kMayCreaseRight | kMayCreaseAbove |
+                  (outline.detector == OutlineDetector::kPlane ? 0 : NeighbourBounds::kAlways));
+    bounds_.tolerance.push_back(outline.depthTolerance);
+    bounds_.crease.push_back(crease);
   }
 }
 
-float EdgeFinder::tolerance(std::size_t first, std::size_t second) const
+EdgeFinder::Pixel EdgeFinder::pixelAt(int x, int y) const
 {
-  const auto of = [&](std::size_t index) {
-    return stepTolerance(pass_.scene.instances[layers_.instance[index]].style,
-                         layers_.surface[index].point);
+  Pixel pixel;
+  pixel.x = x;
+  pixel.y = y;
+  pixel.index = layers_.indexOf(x, y);
+  pixel.instance = layers_.instance[pixel.index];
+  if (pixel.instance != kNobody) pixel.layer = layers_.at(x, y);
+  return pixel;
+}
+
+float EdgeFinder::tolerance(const Pixel& first, const Pixel& second) const
+{
+  const auto of = [&](const Pixel& pixel) {
+    return stepTolerance(pass_.scene.instances[pixel.instance].style, pixel.layer.point);
   };
   return larger(of(first), of(second));
 }
 
 /// Distance along the gaze of a neighbour; the pixel's own where another instance is.
-float EdgeFinder::distanceBeside(Pixel pixel, int dx, int dy) const
+float EdgeFinder::distanceBeside(const Pixel& pixel, int dx, int dy) const
 {
-  const std::size_t here = layers_.indexOf(pixel.x, pixel.y);
   const int x = pixel.x + dx, y = pixel.y + dy;
   const bool isInside = x >= 0 && y >= 0 && x < layers_.width && y < layers_.height;
-  const std::size_t there = isInside ? layers_.indexOf(x, y) : here;
-  const bool isSame = layers_.instance[there] == layers_.instance[here];
-  return -layers_.surface[isSame ? there : here].point.position.z;
+  const bool isSame = isInside && layers_.instance[layers_.indexOf(x, y)] == pixel.instance;
+  return -(isSame ? layers_.at(x, y) : pixel.layer).point.position.z;
 }
 
-Vec2f EdgeFinder::sobel(Pixel pixel) const
+Vec2f EdgeFinder::sobel(const Pixel& pixel) const
 {
   const auto z = [&](int dx, int dy) { return distanceBeside(pixel, dx, dy); };
   const float x = ((z(1, -1) - z(-1, -1)) + 2.0f * (z(1, 0) - z(-1, 0))) + (z(1, 1) - z(-1, 1));
@@ -61,21 +78,20 @@ Vec2f EdgeFinder::sobel(Pixel pixel) const
   return {x * 0.125f, y * 0.125f};
 }
 
-float EdgeFinder::laplacian(Pixel pixel) const
+float EdgeFinder::laplacian(const Pixel& pixel) const
 {
   const auto z = [&](int dx, int dy) { return distanceBeside(pixel, dx, dy); };
   return ((z(1, 0) + z(-1, 0)) + (z(0, 1) + z(0, -1))) - 4.0f * z(0, 0);
 }
 
-bool EdgeFinder::isConvolved(Pixel first, Pixel second) const
+bool EdgeFinder::isConvolved(const Pixel& first, const Pixel& second) const
 {
-  const std::size_t a = layers_.indexOf(first.x, first.y), b = layers_.indexOf(second.x, second.y);
-  const float bound = tolerance(a, b);
-  if (settings_[layers_.instance[a]].detector == OutlineDetector::kSobel) {
+  const float bound = tolerance(first, second);
+  if (settings_[first.instance].detector == OutlineDetector::kSobel) {
     const auto x = static_cast<float>(second.x - first.x),
                y = static_cast<float>(second.y - first.y);
     const float perPixel = x != 0.0f && y != 0.0f ? 0.707106781f : 1.0f;
-    const auto slope = [&](Pixel pixel) {
+    const auto slope = [&](const Pixel& pixel) {
       const Vec2f gradient = sobel(pixel);
       return absolute((gradient.x * x + gradient.y * y) * perPixel);
     };
@@ -86,91 +102,62 @@ bool EdgeFinder::isConvolved(Pixel first, Pixel second) const
 }
 
 /// Of two pixels of one instance.
-bool EdgeFinder::isStep(Pixel first, Pixel second) const
+bool EdgeFinder::isStep(const Pixel& first, const Pixel& second) const
 {
-  const std::size_t a = layers_.indexOf(first.x, first.y), b = layers_.indexOf(second.x, second.y);
-  if (settings_[layers_.instance[a]].detector != OutlineDetector::kPlane)
+  if (settings_[first.instance].detector != OutlineDetector::kPlane)
     return isConvolved(first, second);
-  return PlaneDistances(layers_.surface[a], layers_.surface[b]).areStep(tolerance(a, b));
+  return PlaneDistances(first.layer, second.layer).areStep(tolerance(first, second));
 }
 
 /// Of two pixels with an edge between them: which one's line it is.
-bool EdgeFinder::isBefore(Pixel first, Pixel second) const
+bool EdgeFinder::isBefore(const Pixel& first, const Pixel& second) const
 {
-  const std::size_t a = layers_.indexOf(first.x, first.y), b = layers_.indexOf(second.x, second.y);
-  const std::uint32_t ia = layers_.instance[a], ib = layers_.instance[b];
-  const SurfaceLayer &la = layers_.surface[a], &lb = layers_.surface[b];
+  const std::uint32_t ia = first.instance, ib = second.instance;
+  const SurfaceLayer &la = first.layer, &lb = second.layer;
   const bool isPlain = ia == ib && settings_[ia].detector != OutlineDetector::kPlane;
   const PlaneDistances distances(la, lb);
   const float ofFirst = absolute(distances.ofFirst), ofSecond = absolute(distances.ofSecond);
   const float off = larger(ofFirst, ofSecond);
   const bool isNoise = off <= larger(la.point.rounding, lb.point.rounding);
   const bool areBent = (distances.ofFirst > 0.0f) == (distances.ofSecond > 0.0f);
-  if (ia != ib && (isNoise || (areBent && off <= tolerance(a, b)))) {
+  if (ia != ib && (isNoise || (areBent && off <= tolerance(first, second)))) {
     // They touch: that which has lines, or was there first.
     return isOutlined(ia) != isOutlined(ib) ? isOutlined(ia) : ia < ib;
   }
   if (isPlain || ofFirst == ofSecond) {
     if (la.point.position.z != lb.point.position.z)
       return la.point.position.z > lb.point.position.z;
-    return a < b;
+    return first.index < second.index;
   }
   return ofFirst > ofSecond ? distances.ofFirst > 0.0f : distances.ofSecond < 0.0f;
 }
 
 /// Pixels that are only promised to be cleared count as such.
-float EdgeFinder::depthAt(Pixel pixel) const
+float EdgeFinder::depthAt(int x, int y) const
 {
   const FrameView& frame = pass_.frame;
   const PixelRectangle& touched = pass_.touched;
-  const bool isTouched = pixel.x >= touched.x0 && pixel.x < touched.x1 && pixel.y >= touched.y0 &&
-                         pixel.y < touched.y1;
+  const bool isTouched = x >= touched.x0 && x < touched.x1 && y >= touched.y0 && y < touched.y1;
   return isTouched || frame.clear.extent != FrameClear::Extent::kTouched
-             ? frame.depth[pixel.y * frame.rowStride + pixel.x]
+             ? frame.depth[y * frame.rowStride + x]
              : frame.clear.depth;
 }
 
-float EdgeFinder::shareOf(Pixel pixel, Pixel other) const
+float EdgeFinder::shareOf(const Pixel& pixel, int x, int y) const
 {
-  if (other.x < 0 || other.y < 0 || other.x >= layers_.width || other.y >= layers_.height)
-    return 1.0f;
-  const std::size_t here = layers_.indexOf(pixel.x, pixel.y),
-                    there = layers_.indexOf(other.x, other.y);
-  const std::uint32_t instance = layers_.instance[there];
-  if (instance == kNobody) {
-    const float own = depthAt(pixel);
-    return depthAt(other) < own ? 1.0f : 0.0f;
-  }
-  if (instance == layers_.instance[here] && !isStep(pixel, other))
-    return static_cast<float>(layers_.surface[there].count) / samples_;
+  if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height) return 1.0f;
+  const Pixel other = pixelAt(x, y);
+  if (other.instance == kNobody) return depthAt(x, y) < depthAt(pixel.x, pixel.y) ? 1.0f : 0.0f;
+  if (other.instance == pixel.instance && !isStep(pixel, other))
+    return static_cast<float>(other.layer.count) / samples_;
   return isBefore(pixel, other) ? 0.0f : 1.0f;
 }
 
-/// Of most pixels, without the others' bookkeeping: certain that no edge is there.
-bool EdgeFinder::isInside(Pixel pixel, std::size_t index) const
+void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges) const
 {
-  const std::uint32_t instance = layers_.instance[index];
-  const Settings& settings = settings_[instance];
-  const SurfaceLayer& here = layers_.surface[index];
-  if (settings.detector != OutlineDetector::kPlane || here.count < pass_.scene.samples ||
-      pixel.x == 0 || pixel.y == 0 || pixel.x + 1 == layers_.width || pixel.y + 1 == layers_.height)
-    return false;
-  const float tolerance = settings.depthTolerance * here.point.pixel + here.point.rounding;
-  const auto width = static_cast<std::size_t>(layers_.width);
-  for (const std::size_t beside : {index + 1, index - 1, index + width, index - width})
-    if (layers_.instance[beside] != instance ||
-        PlaneDistances(here, layers_.surface[beside]).areStep(tolerance))
-      return false;
-  return true;
-}
-
-void EdgeFinder::addEdge(Pixel pixel, EdgeRow& edges) const
-{
-  const std::size_t index = layers_.indexOf(pixel.x, pixel.y);
-  if (isInside(pixel, index)) return;
-  const auto share = [&](int dx, int dy) { return shareOf(pixel, {pixel.x + dx, pixel.y + dy}); };
+  const auto share = [&](int dx, int dy) { return shareOf(pixel, pixel.x + dx, pixel.y + dy); };
   const float right = share(1, 0), left = share(-1, 0), above = share(0, 1), below = share(0, -1);
-  const float own = static_cast<float>(layers_.surface[index].count) / samples_;
+  const float own = static_cast<float>(pixel.layer.count) / samples_;
   const bool isCut = own < 1.0f;
   if (!isCut && right > 0.0f && left > 0.0f && above > 0.0f && below > 0.0f) return;
 
@@ -182,7 +169,8 @@ void EdgeFinder::addEdge(Pixel pixel, EdgeRow& edges) const
       kSqrt2 * (above - below) + ((rightAbove + leftAbove) - (rightBelow + leftBelow))};
   const float length = std::sqrt(inwards.x * inwards.x + inwards.y * inwards.y);
   const Vec2f centre = {static_cast<float>(pixel.x) + 0.5f, static_cast<float>(pixel.y) + 0.5f};
-  EdgePoint edge = {centre, {0.0f, 0.0f}, pixel.x, static_cast<std::uint32_t>(index)};
+  EdgePoint edge = {
+      centre, {0.0f, 0.0f}, pixel.x, static_cast<std::uint32_t>(pixel.index), pixel.layer};
   if (length > 0.0f) {
     edge.normal = {-inwards.x / length, -inwards.y / length};
     float distance = 1.0f;
@@ -205,15 +193,15 @@ void EdgeFinder::addEdge(Pixel pixel, EdgeRow& edges) const
 }
 
 /// Where two planes that two pixels of a row or a column show meet.
-bool EdgeFinder::crosses(Pixel pixel, Pixel other, CreaseCrossing& crossing) const
+void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
+                             std::vector<CreaseCrossing>& found) const
 {
-  if (other.x >= layers_.width || other.y >= layers_.height) return false;
-  const std::size_t a = layers_.indexOf(pixel.x, pixel.y), b = layers_.indexOf(other.x, other.y);
-  const std::uint32_t instance = layers_.instance[a];
-  if (layers_.instance[b] != instance) return false;
-  const SurfaceLayer &first = layers_.surface[a], &second = layers_.surface[b];
-  if (!(1.0f - dot(first.normal, second.normal) > settings_[instance].creaseBound)) return false;
-  if (isStep(pixel, other)) return false;
+  if (x >= layers_.width || y >= layers_.height) return;
+  const Pixel other = pixelAt(x, y);
+  if (other.instance != pixel.instance) return;
+  const SurfaceLayer &first = pixel.layer, &second = other.layer;
+  if (!(1.0f - dot(first.normal, second.normal) > settings_[pixel.instance].creaseBound)) return;
+  if (isStep(pixel, other)) return;
   const Vec3f towardEye = pass_.scene.camera.parallel
                               ? Vec3f{0, 0, 1}
                               : -(first.point.position + second.point.position);
@@ -223,21 +211,32 @@ bool EdgeFinder::crosses(Pixel pixel, Pixel other, CreaseCrossing& crossing) con
   const float atSecond = -(distances.ofSecond / dot(first.plane, towardEye));
   const float way = atFirst / (atFirst - atSecond);
   const float t = way > 0.0f && way < 1.0f ? way : 0.5f;
-  crossing = {{first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t},
-              pixel.x,
-              static_cast<std::uint32_t>(a)};
-  return true;
+  found.push_back({{first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t},
+                   pixel.x,
+                   static_cast<std::uint32_t>(pixel.index),
+                   first});
 }
 
-void EdgeFinder::find(int y, EdgeRow& edges, CreaseRow& creases) const
+void EdgeFinder::look(int x, int y, unsigned marks, EdgeRow& edges, CreaseRow& creases) const
 {
-  for (int x = pass_.touched.x0; x < pass_.touched.x1; ++x) {
-    const std::uint32_t instance = layers_.instance[layers_.indexOf(x, y)];
-    if (instance == kNobody || !isOutlined(instance)) continue;
-    addEdge({x, y}, edges);
-    CreaseCrossing crossing;
-    if (crosses({x, y}, {x + 1, y}, crossing)) creases.toRight.push_back(crossing);
-    if (crosses({x, y}, {x, y + 1}, crossing)) creases.toAbove.push_back(crossing);
+  const Pixel pixel = pixelAt(x, y);
+  if ((marks & kMayHaveEdge) != 0) addEdge(pixel, edges);
+  if ((marks & kMayCreaseRight) != 0) addCrossing(pixel, x + 1, y, creases.toRight);
+  if ((marks & kMayCreaseAbove) != 0) addCrossing(pixel, x, y + 1, creases.toAbove);
+}
+
+void EdgeFinder::find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRow& creases) const
+{
+  const auto count = static_cast<std::size_t>(pass_.touched.x1 - pass_.touched.x0);
+  for (std::size_t i = 0; i < count;) {
+    std::uint64_t eight;
+    std::memcpy(&eight, marks + i, sizeof eight);
+    if (eight == 0) {
+      i += sizeof eight;
+      continue;
+    }
+    for (const std::size_t end = i + sizeof eight; i < end; ++i)
+      if (marks[i] != 0) look(pass_.touched.x0 + static_cast<int>(i), y, marks[i], edges, creases);
   }
 }
 
@@ -256,6 +255,7 @@ const CreaseCrossing* crossingAt(const std::vector<CreaseCrossing>& crossings, i
 void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const CreaseRow& above,
                    CreaseRow& result)
 {
+  if (row.toRight.empty() && above.toRight.empty() && row.toAbove.empty()) return;
   std::vector<int> columns;
   for (const auto* crossings : {&row.toRight, &above.toRight, &row.toAbove})
     for (const CreaseCrossing& crossing : *crossings)
@@ -276,8 +276,9 @@ void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const Crea
         met[count++] = side;
     if (count == 0) continue;
     const std::uint32_t index = met[0]->index;
+    const SurfaceLayer& layer = met[0]->layer;
     if (count <= 2) {
-      result.segments.push_back({met[0]->place, met[count - 1]->place, x, index});
+      result.segments.push_back({met[0]->place, met[count - 1]->place, x, index, layer});
       continue;
     }
     Vec2f middle = {0.0f, 0.0f};
@@ -285,7 +286,7 @@ void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const Crea
       middle = middle + met[i]->place;
     middle = middle * (1.0f / static_cast<float>(count));
     for (int i = 0; i < count; ++i)
-      result.segments.push_back({middle, met[i]->place, x, index});
+      result.segments.push_back({middle, met[i]->place, x, index, layer});
   }
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Lines/CompareNeighbours.h"
 #include "Rendering/Lines/ImageOutline.h"
 
 #include <cstddef>
@@ -15,7 +16,8 @@ struct EdgePoint {
   Vec2f foot;    ///< where it is nearest to the pixel's centre; pixels
   Vec2f normal;  ///< unit, away from the surface; (0, 0): all of the pixel is at the border
   int column;
-  std::uint32_t index;  ///< of the pixel, whose layer it borders
+  std::uint32_t index;  ///< of the pixel
+  SurfaceLayer layer;   ///< that it borders
 };
 /// Of one row of pixels, by columns.
 struct EdgeRow {
@@ -27,11 +29,13 @@ struct CreaseCrossing {
   Vec2f place;
   int column;
   std::uint32_t index;  ///< of the pixel
+  SurfaceLayer layer;   ///< the pixel's
 };
 struct CreaseSegment {
   Vec2f from, to;  ///< may be one place
   int column;
   std::uint32_t index;  ///< of a pixel at its side
+  SurfaceLayer layer;   ///< that pixel's
 };
 /// Crossings that leave a row of pixels, and segments between it and the row above.
 struct CreaseRow {
@@ -44,39 +48,46 @@ class EdgeFinder {
  public:
   explicit EdgeFinder(const OutlinePass& pass);
 
-  /// The edges that a row's pixels own, and the crossings of creases that leave them.
-  void find(int y, EdgeRow& edges, CreaseRow& creases) const;
+  /// For NeighbourRows.
+  const NeighbourBounds& bounds() const { return bounds_; }
+  /// The edges that a row's pixels own, and the crossings of creases that leave them: of the
+  /// pixels that are marked, from the first touched on.
+  void find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRow& creases) const;
 
  private:
   struct Settings {
     bool isOutlined = false;
     OutlineDetector detector = OutlineDetector::kNone;
-    float depthTolerance = 0;
     float creaseBound = 0;  ///< of 1 - n.n'
   };
   struct Pixel {
     int x, y;
+    std::size_t index;
+    std::uint32_t instance;  ///< kNobody: no layer
+    SurfaceLayer layer;
   };
 
+  Pixel pixelAt(int x, int y) const;
   bool isOutlined(std::uint32_t instance) const { return settings_[instance].isOutlined; }
   /// How much of `other` counts as the surface that `pixel` shows: 1 for what lies before it.
-  float shareOf(Pixel pixel, Pixel other) const;
-  float depthAt(Pixel pixel) const;
-  bool isStep(Pixel first, Pixel second) const;
-  bool isConvolved(Pixel first, Pixel second) const;
-  Vec2f sobel(Pixel pixel) const;
-  float laplacian(Pixel pixel) const;
-  float distanceBeside(Pixel pixel, int dx, int dy) const;
-  bool isBefore(Pixel first, Pixel second) const;
-  float tolerance(std::size_t first, std::size_t second) const;
-  bool isInside(Pixel pixel, std::size_t index) const;
-  void addEdge(Pixel pixel, EdgeRow& edges) const;
-  bool crosses(Pixel pixel, Pixel other, CreaseCrossing& crossing) const;
+  float shareOf(const Pixel& pixel, int x, int y) const;
+  float depthAt(int x, int y) const;
+  bool isStep(const Pixel& first, const Pixel& second) const;
+  bool isConvolved(const Pixel& first, const Pixel& second) const;
+  Vec2f sobel(const Pixel& pixel) const;
+  float laplacian(const Pixel& pixel) const;
+  float distanceBeside(const Pixel& pixel, int dx, int dy) const;
+  bool isBefore(const Pixel& first, const Pixel& second) const;
+  float tolerance(const Pixel& first, const Pixel& second) const;
+  void addEdge(const Pixel& pixel, EdgeRow& edges) const;
+  void addCrossing(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;
+  void look(int x, int y, unsigned marks, EdgeRow& edges, CreaseRow& creases) const;
 
   const OutlinePass& pass_;
   const SurfaceLayers& layers_;
   float samples_;
   std::vector<Settings> settings_;  ///< by instance
+  NeighbourBounds bounds_;
 };
 
 /// Joins the crossings on the sides of the squares between the centres of two rows' pixels.

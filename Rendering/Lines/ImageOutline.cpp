@@ -8,75 +8,129 @@
 #include "Rendering/Lines/PaintLayer.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace limn {
 namespace {
 
-constexpr int kRowsPerTask = 8;
+constexpr int kRowsPerTask = 16;
 
 /// Calls body(first row, row after the last), rows in any order, on several threads.
 template <class Body>
-void forEachBand(int threads, int height, const Body& body)
+void forEachBand(const OutlinePass& pass, const Body& body)
 {
-  parallelFor(threads, static_cast<std::size_t>((height + kRowsPerTask - 1) / kRowsPerTask),
+  const int y0 = pass.touched.y0, rows = pass.touched.y1 - y0;
+  parallelFor(pass.threads, static_cast<std::size_t>((rows + kRowsPerTask - 1) / kRowsPerTask),
               [&](std::size_t task) {
-                const int first = static_cast<int>(task) * kRowsPerTask;
-                body(first, std::min(first + kRowsPerTask, height));
+                const int first = y0 + static_cast<int>(task) * kRowsPerTask;
+                body(first, std::min(first + kRowsPerTask, pass.touched.y1));
               });
 }
+
+/// By rows; kept from frame to frame for their memory.
+struct LineRows {
+  std::vector<EdgeRow> edges;
+  std::vector<CreaseRow> crossings, creases;
+
+  void begin(std::size_t rows)
+  {
+    edges.resize(rows);
+    crossings.resize(rows);
+    creases.resize(rows);
+    for (EdgeRow& row : edges)
+      row.points.clear();
+    for (std::vector<CreaseRow>* some : {&crossings, &creases})
+      for (CreaseRow& row : *some) {
+        row.toRight.clear();
+        row.toAbove.clear();
+        row.segments.clear();
+      }
+  }
+};
 
 /// Which pixels of a row have edges near enough to be lines.
 class NearPixels {
  public:
-  explicit NearPixels(int width) : isNear_(static_cast<std::size_t>(width)) {}
+  /// Of the pixels [x0, x1).
+  NearPixels(int x0, int x1) : x0_(x0), isNear_(static_cast<std::size_t>(x1 - x0)) {}
 
   void begin() { std::fill(isNear_.begin(), isNear_.end(), std::uint8_t{0}); }
   void add(int column, int reach)
   {
-    const auto first = static_cast<std::size_t>(std::max(column - reach, 0));
-    const auto end = std::min(static_cast<std::size_t>(column + reach) + 1, isNear_.size());
-    std::fill(isNear_.begin() + static_cast<std::ptrdiff_t>(first),
-              isNear_.begin() + static_cast<std::ptrdiff_t>(end), std::uint8_t{1});
+    const int first = std::max(column - reach - x0_, 0);
+    const int end = std::min(column + reach + 1 - x0_, static_cast<int>(isNear_.size()));
+    if (first < end) std::memset(isNear_.data() + first, 1, static_cast<std::size_t>(end - first));
   }
-  bool operator[](int x) const { return isNear_[static_cast<std::size_t>(x)] != 0; }
+  /// Calls visit(x) from left to right.
+  template <class Visit>
+  void forEach(Visit visit) const
+  {
+    const std::uint8_t *const begin = isNear_.data(), *const end = begin + isNear_.size();
+    for (const std::uint8_t* at = begin; at != end; ++at) {
+      at = static_cast<const std::uint8_t*>(std::memchr(at, 1, static_cast<std::size_t>(end - at)));
+      if (at == nullptr) return;
+      visit(x0_ + static_cast<int>(at - begin));
+    }
+  }
 
  private:
+  int x0_;
   std::vector<std::uint8_t> isNear_;
 };
 
 }  // namespace
 
-void beginLayers(const FrameView& frame, int threads, SurfaceLayers& layers)
+void beginLayers(const Scene& scene, const FrameView& frame, SurfaceLayers& layers)
 {
   layers.width = frame.width;
   layers.height = frame.height;
+  layers.offsets = samplePositions(scene.samples);
+  layers.toView.emplace(scene.camera, frame.width, frame.height);
   const std::size_t pixels =
       static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
-  layers.instance.resize(pixels);
-  layers.surface.resize(pixels);
+  const std::size_t room = pixels + SurfaceLayers::kSpare;
+  layers.instance.resize(room);
+  const bool isSingle = scene.samples == 1;
+  if (isSingle && (!layers.isSingle || layers.sample.size() < room)) {
+    layers.sample.assign(room, 0);
+    layers.count.assign(room, 1);
+    layers.shared.assign(room, 1);
+    layers.covered.assign(room, 1);
+  } else if (!isSingle) {
+    for (Array<std::uint8_t>* bytes :
+         {&layers.sample, &layers.count, &layers.shared, &layers.covered})
+      bytes->resize(room);
+    layers.other.resize(room);
+  }
+  layers.isSingle = isSingle;
+  layers.depth.resize(room);
+  layers.normal.resize(room);
+  layers.plane.resize(room);
+  layers.color.resize(room);
   layers.radiance.resize(frame.radiance.empty() ? 0 : pixels);
   layers.halo.clear();
-  forEachBand(threads, frame.height, [&](int first, int end) {
-    std::fill(layers.instance.data() + layers.indexOf(0, first),
-              layers.instance.data() + layers.indexOf(0, end), kNobody);
-  });
 }
 
 void drawImageOutlines(const OutlinePass& pass)
 {
   const SurfaceLayers& layers = pass.layers;
   const EdgeFinder finder(pass);
-  const auto rows = static_cast<std::size_t>(layers.height);
-  std::vector<EdgeRow> edges(rows);
-  std::vector<CreaseRow> crossings(rows), creases(rows);
-  forEachBand(pass.threads, layers.height, [&](int first, int end) {
+  thread_local LineRows memory;
+  memory.begin(static_cast<std::size_t>(layers.height));
+  std::vector<EdgeRow>& edges = memory.edges;
+  std::vector<CreaseRow>&crossings = memory.crossings, &creases = memory.creases;
+  forEachBand(pass, [&](int first, int end) {
+    NeighbourRows neighbours(layers, finder.bounds(), pass.scene.samples, pass.touched);
     for (int y = first; y < end; ++y)
-      finder.find(y, edges[static_cast<std::size_t>(y)], crossings[static_cast<std::size_t>(y)]);
+      finder.find(y, neighbours.marksOf(y), edges[static_cast<std::size_t>(y)],
+                  crossings[static_cast<std::size_t>(y)]);
   });
-  forEachBand(pass.threads, layers.height, [&](int first, int end) {
-    for (int y = first; y < std::min(end, layers.height - 1); ++y)
-      joinCrossings(pass.layers, crossings[static_cast<std::size_t>(y)],
+  forEachBand(pass, [&](int first, int end) {
+    const int from = first == pass.touched.y0 ? std::max(first - 1, 0) : first;
+    for (int y = from; y < std::min(end, layers.height - 1); ++y)
+      joinCrossings(layers, crossings[static_cast<std::size_t>(y)],
                     crossings[static_cast<std::size_t>(y) + 1],
                     creases[static_cast<std::size_t>(y)]);
   });
@@ -84,9 +138,8 @@ void drawImageOutlines(const OutlinePass& pass)
   int reach = 0;
   for (const Instance& instance : pass.scene.instances)
     if (hasImageOutline(instance)) reach = std::max(reach, reachOf(instance.style));
-  const LineMeasure measure(pass, edges, creases);
-  forEachBand(pass.threads, layers.height, [&](int first, int end) {
-    NearPixels near(layers.width);
+  forEachBand(pass, [&](int first, int end) {
+    NearPixels near(pass.touched.x0, pass.touched.x1);
     for (int y = first; y < end; ++y) {
       near.begin();
       for (int row = std::max(y - reach, 0); row <= std::min(y + reach, layers.height - 1); ++row) {
@@ -95,12 +148,12 @@ void drawImageOutlines(const OutlinePass& pass)
         for (const CreaseSegment& crease : creases[static_cast<std::size_t>(row)].segments)
           near.add(crease.column, reach);
       }
-      for (int x = 0; x < layers.width; ++x) {
-        if (!near[x]) continue;
-        float share = measure.shareAt(x, y);
+      LineMeasure measure(pass, edges, creases, y, reach);
+      near.forEach([&](int x) {
+        float share = measure.shareAt(x);
         if (!layers.halo.empty()) share *= 1.0f - layers.halo[layers.indexOf(x, y)];
         if (share > 0.0f) paintLine(pass, x, y, share);
-      }
+      });
     }
   });
 }

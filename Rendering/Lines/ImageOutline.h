@@ -16,8 +16,8 @@ struct OutlinePass {
   int threads;
 };
 
-/// Makes the layers as large as the frame, all of them nobody's.
-void beginLayers(const FrameView& frame, int threads, SurfaceLayers& layers);
+/// Makes the layers as large as the frame.
+void beginLayers(const Scene& scene, const FrameView& frame, SurfaceLayers& layers);
 
 /// Draws the lines of Style::imageOutline over the finished picture. Gives the bytes of
 /// Reference/ReferenceOutline, with any number of threads.

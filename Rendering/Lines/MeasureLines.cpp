@@ -31,14 +31,6 @@ float absolute(float x)
   return x < 0.0f ? -x : x;
 }
 
-/// Of the places that come before `column`.
-template <class Items>
-auto firstFrom(const Items& items, int column)
-{
-  return std::lower_bound(items.begin(), items.end(), column,
-                          [](const auto& item, int x) { return item.column < x; });
-}
-
 }  // namespace
 
 int reachOf(const Style& style)
@@ -52,49 +44,74 @@ struct LineMeasure::Pixel {
   std::uint32_t instance;
   Vec2f centre;
   const Style* style;
+  SurfaceLayer layer;
+  float tolerance, own;
 };
 
-/// Whether a pixel near by shows the surface that this one shows.
-bool LineMeasure::areJoined(const Pixel& pixel, std::size_t index) const
+LineMeasure::LineMeasure(const OutlinePass& pass, const std::vector<EdgeRow>& edges,
+                         const std::vector<CreaseRow>& creases, int y, int reach)
+    : scene_(pass.scene), layers_(pass.layers), y_(y), reach_(reach)
 {
-  if (layers_.instance[index] != pixel.instance) return false;
-  const SurfaceLayer &here = layers_.surface[pixel.index], &there = layers_.surface[index];
+  const int end = std::min(y + reach + 1, layers_.height);
+  for (int row = std::max(y - reach, 0); row < end; ++row) {
+    const std::vector<EdgePoint>& points = edges[static_cast<std::size_t>(row)].points;
+    const std::vector<CreaseSegment>& segments = creases[static_cast<std::size_t>(row)].segments;
+    if (points.empty() && segments.empty()) continue;
+    rows_.push_back({row, points.data(), points.data() + points.size(), segments.data(),
+                     segments.data() + segments.size()});
+  }
+}
+
+void LineMeasure::moveTo(int x)
+{
+  for (NearRow& row : rows_) {
+    while (row.edge != row.lastEdge && row.edge->column < x - reach_)
+      ++row.edge;
+    while (row.segment != row.lastSegment && row.segment->column < x - reach_)
+      ++row.segment;
+  }
+}
+
+/// Whether a pixel of the same instance near by shows the surface that this one shows.
+bool LineMeasure::areJoined(const Pixel& pixel, const SurfaceLayer& there) const
+{
+  const SurfaceLayer& here = pixel.layer;
   const float x = absolute(here.x - there.x), y = absolute(here.y - there.y);
-  const float a = stepTolerance(*pixel.style, here.point),
-              b = stepTolerance(*pixel.style, there.point);
+  const float a = pixel.tolerance, b = stepTolerance(*pixel.style, there.point);
   const float tolerance = (a < b ? b : a) * (1.0f + (x < y ? y : x));
   return !PlaneDistances(here, there).areStep(tolerance);
 }
 
-template <class Visit>
-void LineMeasure::forEachEdge(const Pixel& pixel, Visit visit) const
+void LineMeasure::findEdges(const Pixel& pixel)
 {
-  const int end = std::min(pixel.y + pixel.reach + 1, layers_.height);
-  for (int row = std::max(pixel.y - pixel.reach, 0); row < end; ++row) {
-    const std::vector<EdgePoint>& points = edges_[static_cast<std::size_t>(row)].points;
-    for (auto edge = firstFrom(points, pixel.x - pixel.reach);
-         edge != points.end() && edge->column <= pixel.x + pixel.reach; ++edge)
-      if (!(dot(edge->normal, edge->foot - pixel.centre) < -kOutside) &&
-          areJoined(pixel, edge->index))
-        visit(*edge);
+  near_.clear();
+  for (const NearRow& row : rows_) {
+    if (row.y < pixel.y - pixel.reach || row.y > pixel.y + pixel.reach) continue;
+    for (const EdgePoint* edge = row.edge;
+         edge != row.lastEdge && edge->column <= pixel.x + pixel.reach; ++edge) {
+      if (edge->column < pixel.x - pixel.reach || layers_.instance[edge->index] != pixel.instance)
+        continue;
+      const Vec2f way = edge->foot - pixel.centre;
+      if (!(dot(edge->normal, way) < -kOutside) && areJoined(pixel, edge->layer))
+        near_.push_back({edge, way});
+    }
   }
 }
 
-float LineMeasure::borderShare(const Pixel& pixel) const
+float LineMeasure::borderShare(const Pixel& pixel)
 {
-  const EdgePoint* nearest = nullptr;
-  float squared = 0.0f;
-  forEachEdge(pixel, [&](const EdgePoint& edge) {
-    const Vec2f way = edge.foot - pixel.centre;
-    if (nearest != nullptr && !(dot(way, way) < squared)) return;
+  findEdges(pixel);
+  if (near_.empty()) return 0.0f;
+  const NearEdge* nearest = &near_[0];
+  float squared = dot(nearest->way, nearest->way);
+  for (const NearEdge& edge : near_) {
+    const float other = dot(edge.way, edge.way);
+    if (!(other < squared)) continue;
     nearest = &edge;
-    squared = dot(way, way);
-  });
-  const float own =
-      static_cast<float>(layers_.surface[pixel.index].count) / static_cast<float>(scene_.samples);
-  if (nearest == nullptr) return 0.0f;
-  const Vec2f normal = nearest->normal, way = nearest->foot - pixel.centre;
-  if (normal == Vec2f{0.0f, 0.0f}) return nearest->index == pixel.index ? own : 0.0f;
+    squared = other;
+  }
+  const Vec2f normal = nearest->edge->normal, way = nearest->way;
+  if (normal == Vec2f{0.0f, 0.0f}) return nearest->edge->index == pixel.index ? pixel.own : 0.0f;
 
   const auto along = [&](Vec2f to) { return absolute(normal.x * to.y - normal.y * to.x); };
   float distance = std::sqrt(squared);
@@ -103,18 +120,18 @@ float LineMeasure::borderShare(const Pixel& pixel) const
     across = way * (1.0f / distance);
   } else {
     float sum = 0.0f, weights = 0.0f;
-    forEachEdge(pixel, [&](const EdgePoint& edge) {
-      const Vec2f to = edge.foot - pixel.centre;
-      const float weight = kSpan - along(to);
-      if (!(weight > 0.0f) || !(dot(edge.normal, normal) >= kSameWay)) return;
-      if (!(absolute(dot(normal, edge.foot - nearest->foot)) <= kSameBorder)) return;
+    for (const NearEdge& near : near_) {
+      const EdgePoint& edge = *near.edge;
+      const float weight = kSpan - along(near.way);
+      if (!(weight > 0.0f) || !(dot(edge.normal, normal) >= kSameWay)) continue;
+      if (!(absolute(dot(normal, edge.foot - nearest->edge->foot)) <= kSameBorder)) continue;
       // The mean of both normals: exact to the second order on a circle.
-      sum = sum + weight * (0.5f * (dot(edge.normal, to) + dot(normal, to)));
+      sum = sum + weight * (0.5f * (dot(edge.normal, near.way) + dot(normal, near.way)));
       weights = weights + weight;
-    });
+    }
     distance = sum / weights;
   }
-  const float share = own - CutPixel(across).areaBelow(distance - pixel.style->outlineWidth);
+  const float share = pixel.own - CutPixel(across).areaBelow(distance - pixel.style->outlineWidth);
   return share > 0.0f ? share : 0.0f;
 }
 
@@ -123,12 +140,13 @@ float LineMeasure::creaseShare(const Pixel& pixel) const
   bool isNear = false;
   float squared = 0.0f;
   Vec2f nearest = {0.0f, 0.0f}, direction = {0.0f, 0.0f};
-  const int end = std::min(pixel.y + pixel.reach + 1, layers_.height);
-  for (int row = std::max(pixel.y - pixel.reach, 0); row < end; ++row) {
-    const std::vector<CreaseSegment>& segments = creases_[static_cast<std::size_t>(row)].segments;
-    for (auto segment = firstFrom(segments, pixel.x - pixel.reach);
-         segment != segments.end() && segment->column <= pixel.x + pixel.reach; ++segment) {
-      if (!areJoined(pixel, segment->index)) continue;
+  for (const NearRow& row : rows_) {
+    if (row.y < pixel.y - pixel.reach || row.y > pixel.y + pixel.reach) continue;
+    for (const CreaseSegment* segment = row.segment;
+         segment != row.lastSegment && segment->column <= pixel.x + pixel.reach; ++segment) {
+      if (segment->column < pixel.x - pixel.reach ||
+          layers_.instance[segment->index] != pixel.instance || !areJoined(pixel, segment->layer))
+        continue;
       const Vec2f side = segment->to - segment->from, from = segment->from - pixel.centre;
       const float length = dot(side, side);
       const float t = length > 0.0f ? -(dot(from, side) / length) : 0.0f;
@@ -153,21 +171,23 @@ float LineMeasure::creaseShare(const Pixel& pixel) const
   return cut.areaBelow(half - distance) - cut.areaBelow(-half - distance);
 }
 
-float LineMeasure::shareAt(int x, int y) const
+float LineMeasure::shareAt(int x)
 {
   Pixel pixel;
-  pixel.index = layers_.indexOf(x, y);
+  pixel.index = layers_.indexOf(x, y_);
   pixel.instance = layers_.instance[pixel.index];
   if (pixel.instance == kNobody || !hasImageOutline(scene_.instances[pixel.instance])) return 0.0f;
+  moveTo(x);
   pixel.style = &scene_.instances[pixel.instance].style;
   pixel.x = x;
-  pixel.y = y;
+  pixel.y = y_;
   pixel.reach = reachOf(*pixel.style);
-  pixel.centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+  pixel.centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y_) + 0.5f};
+  pixel.layer = layers_.at(x, y_);
+  pixel.tolerance = stepTolerance(*pixel.style, pixel.layer.point);
+  pixel.own = static_cast<float>(pixel.layer.count) / static_cast<float>(scene_.samples);
   const float border = borderShare(pixel);
-  const float own =
-      static_cast<float>(layers_.surface[pixel.index].count) / static_cast<float>(scene_.samples);
-  const float crease = creaseShare(pixel) * own;
+  const float crease = creaseShare(pixel) * pixel.own;
   return crease > border ? crease : border;
 }
 

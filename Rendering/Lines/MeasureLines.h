@@ -12,33 +12,42 @@ namespace limn {
 /// How many pixels away from an edge its line may still cover a part of a pixel.
 int reachOf(const Style& style);
 
-/// How much of a pixel lies in a line.
+/// How much of the pixels of a row lies in lines.
 class LineMeasure {
  public:
-  /// All of them by rows.
+  /// `edges` and `creases` are all rows'; `reach` is the largest of any instance's style.
   LineMeasure(const OutlinePass& pass, const std::vector<EdgeRow>& edges,
-              const std::vector<CreaseRow>& creases)
-      : scene_(pass.scene), layers_(pass.layers), edges_(edges), creases_(creases)
-  {
-  }
+              const std::vector<CreaseRow>& creases, int y, int reach);
 
-  /// 0 to 1; at most the share of the pixel's samples that show its layer.
-  float shareAt(int x, int y) const;
+  /// Of the pixel (x, y): 0 to 1; at most the share of its samples that show its layer. Requires:
+  /// x is not below that of the last call.
+  float shareAt(int x);
 
  private:
   struct Pixel;
+  /// Rows near the pixel, and their first items that may be near, too.
+  struct NearRow {
+    int y;
+    const EdgePoint *edge, *lastEdge;
+    const CreaseSegment *segment, *lastSegment;
+  };
+  struct NearEdge {
+    const EdgePoint* edge;
+    Vec2f way;  ///< from the pixel's centre
+  };
 
-  /// Calls visit(edge) for the edges that bound the pixel's surface, row by row, by columns.
-  template <class Visit>
-  void forEachEdge(const Pixel& pixel, Visit visit) const;
-  bool areJoined(const Pixel& pixel, std::size_t index) const;
-  float borderShare(const Pixel& pixel) const;
+  void moveTo(int x);
+  /// The edges that bound the pixel's surface, row by row, by columns.
+  void findEdges(const Pixel& pixel);
+  bool areJoined(const Pixel& pixel, const SurfaceLayer& there) const;
+  float borderShare(const Pixel& pixel);
   float creaseShare(const Pixel& pixel) const;
 
   const Scene& scene_;
   const SurfaceLayers& layers_;
-  const std::vector<EdgeRow>& edges_;
-  const std::vector<CreaseRow>& creases_;
+  int y_, reach_;
+  std::vector<NearRow> rows_;
+  std::vector<NearEdge> near_;
 };
 
 }  // namespace limn

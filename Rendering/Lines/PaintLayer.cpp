@@ -39,7 +39,8 @@ std::uint8_t changed(ChannelChange c, double samples, int shared, Resolve resolv
 void paintLine(const OutlinePass& pass, int x, int y, float share)
 {
   const std::size_t index = pass.layers.indexOf(x, y);
-  const SurfaceLayer& layer = pass.layers.surface[index];
+  const Rgba8 color = pass.layers.color[index];
+  const int shared = pass.layers.shared[index];
   const Style& style = pass.scene.instances[pass.layers.instance[index]].style;
   const float opacity = style.outlineOpacity;
   const auto over = [&](std::uint8_t own, float line) {
@@ -50,17 +51,17 @@ void paintLine(const OutlinePass& pass, int x, int y, float share)
   const Resolve resolve = pass.scene.resolve;
   const double samples = static_cast<double>(share) * pass.scene.samples;
   const auto paint = [&](std::uint8_t& pixel, std::uint8_t own, float line) {
-    pixel = changed({pixel, own, over(own, line)}, samples, layer.shared, resolve);
+    pixel = changed({pixel, own, over(own, line)}, samples, shared, resolve);
   };
   Rgba8& pixel = pass.frame.color[place];
-  paint(pixel.r, layer.color.r, style.outlineColor.x);
-  paint(pixel.g, layer.color.g, style.outlineColor.y);
-  paint(pixel.b, layer.color.b, style.outlineColor.z);
+  paint(pixel.r, color.r, style.outlineColor.x);
+  paint(pixel.g, color.g, style.outlineColor.y);
+  paint(pixel.b, color.b, style.outlineColor.z);
   const RadianceView& radiance = pass.frame.radiance;
   if (radiance.empty()) return;
   const Vec3f own = pass.layers.radiance[index];
   const float part =
-      share * static_cast<float>(pass.scene.samples) * opacity / static_cast<float>(layer.shared);
+      share * static_cast<float>(pass.scene.samples) * opacity / static_cast<float>(shared);
   radiance.r[place] = boundedRadiance(radiance.r[place] + (style.outlineColor.x - own.x) * part);
   radiance.g[place] = boundedRadiance(radiance.g[place] + (style.outlineColor.y - own.y) * part);
   radiance.b[place] = boundedRadiance(radiance.b[place] + (style.outlineColor.z - own.z) * part);

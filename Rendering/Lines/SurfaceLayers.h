@@ -3,12 +3,15 @@
 #pragma once
 
 #include "Rendering/Base/Array.h"
+#include "Rendering/Base/SamplePositions.h"
 #include "Rendering/Base/Vec.h"
+#include "Rendering/FrameView.h"
 #include "Rendering/Scene.h"
 #include "Rendering/Vertex/ScreenToView.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 namespace limn {
 
@@ -26,12 +29,40 @@ struct SurfaceLayer {
   std::uint32_t other;
 };
 
+/// Vectors, one array a component.
+struct LayerVectors {
+  Array<float> x, y, z;
+
+  void resize(std::size_t size)
+  {
+    x.resize(size);
+    y.resize(size);
+    z.resize(size);
+  }
+  Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
+};
+
 /// The layers of a frame, row by row from below, without gaps between rows. Kept from frame to
 /// frame for their memory.
 struct SurfaceLayers {
+  /// Elements behind the last pixel's, for vectors to read.
+  static constexpr std::size_t kSpare = 64;
+
   int width = 0, height = 0;
-  Array<std::uint32_t> instance;  ///< place in Scene::instances; kNobody: the others mean nothing
-  Array<SurfaceLayer> surface;
+  Span<const SampleOffset> offsets;
+  std::optional<ScreenToView> toView;
+  /// Place in Scene::instances; kNobody: the others mean nothing. Set in and next to the pixels
+  /// that were touched; in all, if there are depth cues.
+  Array<std::uint32_t> instance;
+  // As SurfaceLayer has them:
+  // The next five are not written with one sample a pixel, which leaves them nothing to say.
+  bool isSingle = false;       ///< they are 0, 1, 1, 1 and of no meaning
+  Array<std::uint8_t> sample;  ///< the nearest
+  Array<std::uint8_t> count, shared, covered;
+  Array<std::uint32_t> other;
+  Array<float> depth;  ///< of that sample
+  LayerVectors normal, plane;
+  Array<Rgba8> color;
   Array<Vec3f> radiance;  ///< the mean of the layer's; empty unless the frame has radiance
   Array<float> halo;      ///< share of the layer that a halo has; empty: none
 
@@ -39,6 +70,38 @@ struct SurfaceLayers {
   {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
+  }
+  /// SurfaceLayer::point. Requires: an instance is there.
+  ViewPoint pointAt(int x, int y) const
+  {
+    const std::size_t i = indexOf(x, y);
+    const SampleOffset offset = offsets[sample[i]];
+    return toView->at(static_cast<float>(x * kSubpixels + offset.x) * (1.0f / kSubpixels),
+                      static_cast<float>(y * kSubpixels + offset.y) * (1.0f / kSubpixels),
+                      depth[i]);
+  }
+  /// Requires: an instance is there.
+  SurfaceLayer at(int x, int y) const
+  {
+    const std::size_t i = indexOf(x, y);
+    const SampleOffset offset = offsets[sample[i]];
+    SurfaceLayer layer;
+    layer.x = static_cast<float>(x * kSubpixels + offset.x) * (1.0f / kSubpixels);
+    layer.y = static_cast<float>(y * kSubpixels + offset.y) * (1.0f / kSubpixels);
+    layer.point = toView->at(layer.x, layer.y, depth[i]);
+    layer.normal = normal[i];
+    layer.plane = plane[i];
+    layer.color = color[i];
+    layer.count = count[i];
+    layer.shared = shared[i];
+    layer.covered = covered[i];
+    layer.other = isSingle ? kNobody : other[i];
+    return layer;
+  }
+  SurfaceLayer at(std::size_t index) const
+  {
+    const auto columns = static_cast<std::size_t>(width);
+    return at(static_cast<int>(index % columns), static_cast<int>(index / columns));
   }
 };
 

@@ -143,7 +143,7 @@ class CueDrawer {
     const std::size_t first = layers.indexOf(0, y);
     for (int x = 0; x < plane.width; ++x) {
       const std::size_t index = first + static_cast<std::size_t>(x);
-      if (layers.instance[index] != kNobody) row[x] = -layers.surface[index].point.position.z;
+      if (layers.instance[index] != kNobody) row[x] = -layers.pointAt(x, y).position.z;
     }
   }
 
@@ -166,7 +166,7 @@ class CueDrawer {
       const std::size_t index = layers.indexOf(x, y);
       if (layers.instance[index] == kNobody) continue;
       const bool isBorder = border != borders.end() && border->x == x;
-      if (layers.surface[index].covered > layers.surface[index].count)
+      if (layers.covered[index] > layers.count[index])
         paintRest(x, y, isBorder ? halos_.shareBehind(*border, y) : 0.0f);
       if (isBorder) ++border;
       Cue cue = {factorsOf(y)[x], lightsOf(y)[x], 0, {0, 0, 0}};
@@ -194,9 +194,9 @@ class CueDrawer {
       const std::uint32_t instance = layers.instance[first + x];
       return instance == kNobody ? nullptr : &settings_.of[instance];
     };
-    for (std::size_t x = 0; x < width; ++x)
-      if (layers.instance[first + x] != kNobody)
-        row.pixel[x] = layers.surface[first + x].point.pixel;
+    for (int x = 0; x < layers.width; ++x)
+      if (layers.instance[layers.indexOf(x, y)] != kNobody)
+        row.pixel[static_cast<std::size_t>(x)] = layers.pointAt(x, y).pixel;
     for (std::size_t radius = 0; radius < taps_.size(); ++radius) {
       row.strength.assign(row.pixel.size(), 0.0f);
       for (std::size_t x = 0; x < width; ++x)
@@ -220,25 +220,26 @@ class CueDrawer {
   void paint(int x, int y, const Cue& cue) const
   {
     const std::size_t index = pass_.layers.indexOf(x, y);
-    SurfaceLayer& layer = pass_.layers.surface[index];
+    const std::uint8_t count = pass_.layers.count[index], shared = pass_.layers.shared[index];
+    Rgba8& color = pass_.layers.color[index];
     const std::ptrdiff_t place = y * pass_.frame.rowStride + x;
     const Resolve resolve = pass_.scene.resolve;
-    const bool isWhole = layer.count == layer.shared;
+    const bool isWhole = count == shared;
     const auto paintByte = [&](std::uint8_t& pixel, std::uint8_t& own, float haloed) {
       const std::uint8_t to = toByte(cue.of(static_cast<float>(own), 255.0f, haloed));
       // The mean of all samples, if nothing translucent is over them.
-      pixel = isWhole && pixel == own ? to
-                                      : changed({pixel, own, to}, static_cast<double>(layer.count),
-                                                layer.shared, resolve);
+      pixel = isWhole && pixel == own
+                  ? to
+                  : changed({pixel, own, to}, static_cast<double>(count), shared, resolve);
       own = to;
     };
     Rgba8& pixel = pass_.frame.color[place];
-    paintByte(pixel.r, layer.color.r, cue.haloColor.x);
-    paintByte(pixel.g, layer.color.g, cue.haloColor.y);
-    paintByte(pixel.b, layer.color.b, cue.haloColor.z);
+    paintByte(pixel.r, color.r, cue.haloColor.x);
+    paintByte(pixel.g, color.g, cue.haloColor.y);
+    paintByte(pixel.b, color.b, cue.haloColor.z);
     const RadianceView& radiance = pass_.frame.radiance;
     if (radiance.empty()) return;
-    const float part = static_cast<float>(layer.count) / static_cast<float>(layer.shared);
+    const float part = static_cast<float>(count) / static_cast<float>(shared);
     const auto paintRadiance = [&](float& value, float& own, float haloed) {
       const float to = cue.of(own, 1.0f, haloed);
       value = boundedRadiance(value + (to - own) * part);
@@ -268,7 +269,7 @@ class CueDrawer {
   Cue cueBehind(int x, int y) const
   {
     const SurfaceLayers& layers = pass_.layers;
-    const std::uint32_t wanted = layers.surface[layers.indexOf(x, y)].other;
+    const std::uint32_t wanted = layers.other[layers.indexOf(x, y)];
     Cue cue = {1, 0, 0, {0, 0, 0}};
     float farthest = distances_.row(y)[x];
     const int x1 = std::min(x + 1, distances_.width - 1);
@@ -288,7 +289,7 @@ class CueDrawer {
   void paintRest(int x, int y, float haloShare) const
   {
     const std::size_t index = pass_.layers.indexOf(x, y);
-    const SurfaceLayer& layer = pass_.layers.surface[index];
+    const SurfaceLayer layer = pass_.layers.at(x, y);
     const int rest = layer.shared - layer.count, others = layer.covered - layer.count;
     Cue cue = cueBehind(x, y);
     cue.halo = haloShare;

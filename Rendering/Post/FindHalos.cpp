@@ -47,7 +47,7 @@ HaloFinder::End HaloFinder::endAt(int x, int y) const
   const std::size_t index = layers.indexOf(x, y);
   const std::uint32_t instance = layers.instance[index];
   const float own = distances_.row(y)[x];
-  const float slope = haloOf(index).depth * layers.surface[index].point.pixel;
+  const float slope = haloOf(index).depth * layers.pointAt(x, y).pixel;
   const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, distances_.width - 1);
   const int y0 = std::max(y - 1, 0), y1 = std::min(y + 1, distances_.height - 1);
   End end = End::kNone;
@@ -92,7 +92,7 @@ void HaloFinder::findShares(int y)
 /// Of parts of one instance: whether they are different surfaces.
 bool HaloFinder::isStep(std::size_t behind, std::size_t before) const
 {
-  const SurfaceLayer &first = pass_.layers.surface[behind], &second = pass_.layers.surface[before];
+  const SurfaceLayer first = pass_.layers.at(behind), second = pass_.layers.at(before);
   const Style& style = pass_.scene.instances[pass_.layers.instance[before]].style;
   const float a = stepTolerance(style, first.point), b = stepTolerance(style, second.point);
   return PlaneDistances(first, second).areStep(a < b ? b : a);
@@ -102,13 +102,13 @@ HaloFinder::Border HaloFinder::borderAt(Column column, int y) const
 {
   const int x = column.x;
   const std::size_t index = pass_.layers.indexOf(x, y);
-  const SurfaceLayer& layer = pass_.layers.surface[index];
+  const SurfaceLayers& layers = pass_.layers;
   const Halo& halo = haloOf(index);
   return {index,
           distances_.row(y)[x],
           halo.width,
-          halo.depth * halo.width * layer.point.pixel,
-          static_cast<float>(layer.count) / static_cast<float>(pass_.scene.samples),
+          halo.depth * halo.width * layers.pointAt(x, y).pixel,
+          static_cast<float>(layers.count[index]) / static_cast<float>(pass_.scene.samples),
           column.isBeforeItself};
 }
 
@@ -145,8 +145,8 @@ void HaloFinder::addHalo(int y, Column end, int row)
     const float share = unbounded < 1.0f ? unbounded : 1.0f;
     const std::size_t index = layers.indexOf(x, y);
     if (!(share > 0.0f) || share < layers.halo[index]) continue;
-    const bool isBetter = share > layers.halo[index] ||
-                          border.distance < -layers.surface[owner_[index]].point.position.z;
+    const bool isBetter =
+        share > layers.halo[index] || border.distance < -layers.at(owner_[index]).point.position.z;
     if (!isBetter || areOneSurface(index, border)) continue;
     layers.halo[index] = share;
     owner_[index] = static_cast<std::uint32_t>(border.index);

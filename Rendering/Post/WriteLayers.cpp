@@ -8,6 +8,8 @@
 
 #include <hwy/base.h>
 
+#include <algorithm>
+
 namespace limn {
 namespace {
 
@@ -23,67 +25,153 @@ class LayerWriter {
         fragments_(fragments),
         colors_(colors),
         isKeptApart_(target.background == Background::kKeepApart),
-        offsets_(samplePositions(scene_.samples)),
-        toView_(target.toView),
+        allSamples_(static_cast<std::uint8_t>(scene_.samples)),
         layers_(target.layers)
   {
   }
 
   void writeRuns()
   {
-    const auto samples = static_cast<std::uint8_t>(scene_.samples);
     for (std::size_t r = 0; r < fragments_.runCount; ++r) {
       const FragmentRun& run = fragments_.run[r];
-      for (std::size_t pixel = run.pixel; pixel < std::size_t{run.pixel} + run.length; ++pixel) {
-        // All samples have one owner: no names to compare.
-        int nearest = 0;
-        for (int s = 1; s < samples; ++s)
-          if (tile_.depth[s][pixel] < tile_.depth[nearest][pixel]) nearest = s;
-        SurfaceLayer layer = layerAt(pixel, nearest);
-        layer.normal = normalOf(colors_.pixelNormal, pixel);
-        layer.plane = normalOf(colors_.pixelPlane, pixel);
-        layer.color = colors_.pixel[pixel];
-        layer.count = layer.shared = layer.covered = samples;
-        layer.other = kNobody;
-        if (colors_.hasRadiance)
-          layers_.radiance[indexOf(pixel)] = radianceOf(colors_.pixelRadiance, pixel);
-        write(pixel, tile_.owner[nearest][pixel], layer);
-      }
+      if (run.length == 0) continue;
+      const std::size_t index = indexOf(run.pixel), length = run.length;
+      std::fill_n(layers_.instance.data() + index, length, instanceOf(tile_.owner[0][run.pixel]));
+      copyVectors(colors_.pixelNormal, run.pixel, length, layers_.normal, index);
+      copyVectors(colors_.pixelPlane, run.pixel, length, layers_.plane, index);
+      std::copy_n(colors_.pixel + run.pixel, length, layers_.color.data() + index);
+      writeNearest(run, index);
+      for (std::size_t i = 0; colors_.hasRadiance && i < length; ++i)
+        layers_.radiance[index + i] = radianceOf(colors_.pixelRadiance, run.pixel + i);
     }
   }
 
   void writeFragments()
   {
+    if (scene_.samples == 1) return writeSingles();
     for (std::size_t first = 0; first < fragments_.count;) {
+      const std::uint32_t pixel = fragments_.pixel[first];
       std::size_t end = first + 1;
-      while (end < fragments_.count && fragments_.pixel[end] == fragments_.pixel[first])
+      while (end < fragments_.count && fragments_.pixel[end] == pixel)
         ++end;
-      writePixel(first, end);
+      if (end - first == 1)
+        writeAlone(first);
+      else
+        writePixel(first, end);
       first = end;
     }
   }
 
  private:
+  struct Sample {
+    int number;
+    float depth;
+  };
+
+  /// Of a run's pixels, all samples of which have one owner: no names to compare.
+  void writeNearest(const FragmentRun& run, std::size_t index)
+  {
+    const std::size_t length = run.length;
+    if (scene_.samples == 1) {
+      std::copy_n(tile_.depth[0] + run.pixel, length, layers_.depth.data() + index);
+      return;
+    }
+    std::fill_n(layers_.count.data() + index, length, allSamples_);
+    std::fill_n(layers_.shared.data() + index, length, allSamples_);
+    std::fill_n(layers_.covered.data() + index, length, allSamples_);
+    for (std::size_t i = 0; i < length; ++i)
+      setSample(index + i, nearestOf((1u << scene_.samples) - 1u, run.pixel + i));
+  }
+
+  /// Of some of a pixel's samples, which have one owner: the first nearest.
+  Sample nearestOf(std::uint32_t coverage, std::size_t pixel) const
+  {
+    const auto first = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(coverage));
+    Sample nearest = {first, tile_.depth[first][pixel]};
+    for (int s = first + 1; s < scene_.samples; ++s)
+      if ((coverage >> s & 1u) != 0 && tile_.depth[s][pixel] < nearest.depth)
+        nearest = {s, tile_.depth[s][pixel]};
+    return nearest;
+  }
+
+  /// With one sample a pixel. By local pointers, which no byte that is written may be a part of.
+  void writeSingles()
+  {
+    const std::uint32_t *const owner = fragments_.owner.data(), *const pixel =
+                                                                    fragments_.pixel.data();
+    const Rgba8* const from = colors_.fragment.data();
+    const float* const depth = tile_.depth[0];
+    std::uint32_t* const instance = layers_.instance.data();
+    float* const depthTo = layers_.depth.data();
+    Rgba8* const to = layers_.color.data();
+    const std::size_t corner = indexOf(0), count = fragments_.count;
+    const auto width = static_cast<std::size_t>(layers_.width);
+    for (std::size_t f = 0; f < count; ++f) {
+      const std::size_t index = corner + pixel[f] / kTileSide * width + pixel[f] % kTileSide;
+      instance[index] = instanceOf(owner[f]);
+      depthTo[index] = depth[pixel[f]];
+      to[index] = from[f];
+    }
+    scatter(colors_.fragmentNormal, layers_.normal);
+    scatter(colors_.fragmentPlane, layers_.plane);
+    for (std::size_t f = 0; colors_.hasRadiance && f < count; ++f)
+      layers_.radiance[indexOf(pixel[f])] = radianceOf(colors_.fragmentRadiance, f);
+  }
+  void scatter(const VectorArrays& from, LayerVectors& to) const
+  {
+    const std::uint32_t* const pixel = fragments_.pixel.data();
+    const float *const fromX = from.x.data(), *const fromY = from.y.data(),
+                       *const fromZ = from.z.data();
+    float *const toX = to.x.data(), *const toY = to.y.data(), *const toZ = to.z.data();
+    const std::size_t corner = indexOf(0), count = fragments_.count;
+    const auto width = static_cast<std::size_t>(layers_.width);
+    for (std::size_t f = 0; f < count; ++f) {
+      const std::size_t index = corner + pixel[f] / kTileSide * width + pixel[f] % kTileSide;
+      toX[index] = fromX[f];
+      toY[index] = fromY[f];
+      toZ[index] = fromZ[f];
+    }
+  }
+
+  /// Of a pixel that shows one triangle and nothing else.
+  void writeAlone(std::size_t f)
+  {
+    const std::size_t pixel = fragments_.pixel[f];
+    const std::size_t index = indexOf(pixel);
+    const std::uint32_t coverage = fragments_.coverage[f];
+    setSample(index, nearestOf(coverage, pixel));
+    const std::uint32_t samples = bitCount(coverage);
+    setCounts(index, samples, samples);
+    setSurface(index, fragments_.owner[f], f);
+    layers_.color[index] = colors_.fragment[f];
+    if (!colors_.hasRadiance) return;
+    const auto n = static_cast<float>(samples);
+    const Vec3f sum = radianceOf(colors_.fragmentRadiance, f) * n;
+    layers_.radiance[index] = {sum.x / n, sum.y / n, sum.z / n};
+  }
+
   /// Of the fragments [first, end), which are all of a pixel.
   void writePixel(std::size_t first, std::size_t end)
   {
     const std::size_t pixel = fragments_.pixel[first];
+    const std::size_t index = indexOf(pixel);
     const NearestSample nearest = nearestSample(clusters_, tile_, scene_.samples, pixel);
     std::size_t own = first;
     while (fragments_.owner[own] != nearest.owner)
       ++own;
-    SurfaceLayer layer = layerAt(pixel, nearest.sample);
-    layer.normal = normalOf(colors_.fragmentNormal, own);
-    layer.plane = normalOf(colors_.fragmentPlane, own);
-    layer.other = kNobody;
+    setSample(index, {nearest.sample, nearest.depth});
+    setSurface(index, nearest.owner, own);
+    layers_.other[index] = kNobody;
+    const SurfaceLayer layer = layers_.at(columnOf(pixel), rowOf(pixel));
     ColorSum sum(scene_.resolve);
     Vec3f radiance = {0, 0, 0};
     std::uint32_t count = 0, covered = 0;
     for (std::size_t f = first; f < end; ++f) {
-      const std::uint32_t samples = scene_.samples == 1 ? 1 : bitCount(fragments_.coverage[f]);
+      const std::uint32_t samples = bitCount(fragments_.coverage[f]);
       covered += samples;
       if (f != own && !isSameLayer(layer, nearest.owner, f)) {
-        if (layer.other == kNobody) layer.other = instanceOf(fragments_.owner[f]);
+        std::uint32_t& other = layers_.other[index];
+        if (other == kNobody) other = instanceOf(fragments_.owner[f]);
         continue;
       }
       sum.add(colors_.fragment[f], samples);
@@ -91,59 +179,76 @@ class LayerWriter {
         radiance = radiance + radianceOf(colors_.fragmentRadiance, f) * static_cast<float>(samples);
       count += samples;
     }
-    layer.color = sum.mean();
-    layer.count = static_cast<std::uint8_t>(count);
-    layer.covered = static_cast<std::uint8_t>(covered);
-    layer.shared = static_cast<std::uint8_t>(
-        isKeptApart_ ? covered : static_cast<std::uint32_t>(scene_.samples));
+    layers_.color[index] = sum.mean();
+    setCounts(index, count, covered);
     const auto n = static_cast<float>(count);
     if (colors_.hasRadiance)
-      layers_.radiance[indexOf(pixel)] = {radiance.x / n, radiance.y / n, radiance.z / n};
-    write(pixel, nearest.owner, layer);
+      layers_.radiance[index] = {radiance.x / n, radiance.y / n, radiance.z / n};
   }
 
   bool isSameLayer(const SurfaceLayer& layer, std::uint32_t owner, std::size_t f) const
   {
-    const PlacedInstance* const placed = clusters_.at(TileOwner::slot(owner)).placed;
-    if (clusters_.at(TileOwner::slot(fragments_.owner[f])).placed != placed) return false;
-    SurfaceLayer other =
-        layerAt(fragments_.pixel[f],
-                static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(fragments_.coverage[f])));
-    other.plane = normalOf(colors_.fragmentPlane, f);
+    const PlacedInstance* const placed = placedOf(owner);
+    if (placedOf(fragments_.owner[f]) != placed) return false;
+    const std::size_t pixel = fragments_.pixel[f];
+    const std::size_t sample = hwy::Num0BitsBelowLS1Bit_Nonzero32(fragments_.coverage[f]);
+    const SampleOffset offset = layers_.offsets[sample];
+    SurfaceLayer other;
+    other.x = static_cast<float>(columnOf(pixel) * kSubpixels + offset.x) * (1.0f / kSubpixels);
+    other.y = static_cast<float>(rowOf(pixel) * kSubpixels + offset.y) * (1.0f / kSubpixels);
+    other.point = layers_.toView->at(other.x, other.y, tile_.depth[sample][pixel]);
+    other.plane = vectorOf(colors_.fragmentPlane, f);
     return !PlaneDistances(layer, other)
                 .areStep(stepTolerance(placed->instance->style, layer.point));
   }
 
-  SurfaceLayer layerAt(std::size_t pixel, int sample) const
+  void setSample(std::size_t index, Sample nearest)
   {
-    const SampleOffset offset = offsets_[static_cast<std::size_t>(sample)];
-    const auto column = pixels_.x0 + static_cast<int>(pixel % kTileSide);
-    const auto row = pixels_.y0 + static_cast<int>(pixel / kTileSide);
-    SurfaceLayer layer;
-    layer.x = static_cast<float>(column * kSubpixels + offset.x) * (1.0f / kSubpixels);
-    layer.y = static_cast<float>(row * kSubpixels + offset.y) * (1.0f / kSubpixels);
-    layer.point = toView_.at(layer.x, layer.y, tile_.depth[sample][pixel]);
-    return layer;
+    layers_.sample[index] = static_cast<std::uint8_t>(nearest.number);
+    layers_.depth[index] = nearest.depth;
   }
+  void setCounts(std::size_t index, std::uint32_t count, std::uint32_t covered)
+  {
+    layers_.count[index] = static_cast<std::uint8_t>(count);
+    layers_.covered[index] = static_cast<std::uint8_t>(covered);
+    layers_.shared[index] = isKeptApart_ ? static_cast<std::uint8_t>(covered) : allSamples_;
+  }
+  void setSurface(std::size_t index, std::uint32_t owner, std::size_t f)
+  {
+    layers_.instance[index] = instanceOf(owner);
+    const auto set = [&](const VectorArrays& from, LayerVectors& to) {
+      to.x[index] = from.x[f];
+      to.y[index] = from.y[f];
+      to.z[index] = from.z[f];
+    };
+    set(colors_.fragmentNormal, layers_.normal);
+    set(colors_.fragmentPlane, layers_.plane);
+  }
+
+  int columnOf(std::size_t pixel) const { return pixels_.x0 + static_cast<int>(pixel % kTileSide); }
+  int rowOf(std::size_t pixel) const { return pixels_.y0 + static_cast<int>(pixel / kTileSide); }
   std::size_t indexOf(std::size_t pixel) const
   {
-    return layers_.indexOf(pixels_.x0 + static_cast<int>(pixel % kTileSide),
-                           pixels_.y0 + static_cast<int>(pixel / kTileSide));
+    return layers_.indexOf(columnOf(pixel), rowOf(pixel));
   }
-  void write(std::size_t pixel, std::uint32_t owner, const SurfaceLayer& layer)
+  const PlacedInstance* placedOf(std::uint32_t owner) const
   {
-    const std::size_t index = indexOf(pixel);
-    layers_.instance[index] = instanceOf(owner);
-    layers_.surface[index] = layer;
+    return clusters_.at(TileOwner::slot(owner)).placed;
   }
   std::uint32_t instanceOf(std::uint32_t owner) const
   {
-    const PlacedInstance* const placed = clusters_.at(TileOwner::slot(owner)).placed;
-    return static_cast<std::uint32_t>(placed - clusters_.scene->instances.data());
+    return static_cast<std::uint32_t>(placedOf(owner) - clusters_.scene->instances.data());
   }
-  static Vec3f normalOf(const VectorArrays& normals, std::size_t i)
+  static void copyVectors(const VectorArrays& from, std::size_t i, std::size_t count,
+                          LayerVectors& to, std::size_t index)
   {
-    return {normals.x[i], normals.y[i], normals.z[i]};
+    std::copy_n(from.x.data() + i, count, to.x.data() + index);
+    std::copy_n(from.y.data() + i, count, to.y.data() + index);
+    std::copy_n(from.z.data() + i, count, to.z.data() + index);
+  }
+  static Vec3f vectorOf(const VectorArrays& vectors, std::size_t i)
+  {
+    return {vectors.x[i], vectors.y[i], vectors.z[i]};
   }
   static Vec3f radianceOf(const RadianceArrays& radiance, std::size_t i)
   {
@@ -157,12 +262,18 @@ class LayerWriter {
   const FragmentList& fragments_;
   const TileColors& colors_;
   bool isKeptApart_;
-  Span<const SampleOffset> offsets_;
-  const ScreenToView& toView_;
+  std::uint8_t allSamples_;
   SurfaceLayers& layers_;
 };
 
 }  // namespace
+
+void clearLayers(const TileRectangle& pixels, SurfaceLayers& layers)
+{
+  for (int y = pixels.y0; y < pixels.y1; ++y)
+    std::fill(layers.instance.data() + layers.indexOf(pixels.x0, y),
+              layers.instance.data() + layers.indexOf(pixels.x1, y), kNobody);
+}
 
 void writeLayers(const TileClusters& clusters, const VisibilityTile& tile,
                  const TileRectangle& pixels, const FragmentList& fragments,

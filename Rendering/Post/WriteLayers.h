@@ -9,10 +9,13 @@ namespace limn {
 
 /// Where the layers of a frame go.
 struct LayerTarget {
-  ScreenToView toView;
   Background background;
   SurfaceLayers& layers;  ///< as large as the viewport
+  bool isWhole;           ///< pixels far from all that were touched are set to nobody's, too
 };
+
+/// Leaves pixels to nobody, until writeLayers() says otherwise.
+void clearLayers(const TileRectangle& pixels, SurfaceLayers& layers);
 
 /// Writes what the pixels of a tile show first. `pixels` are the tile's in the viewport.
 /// Requires: as resolveTile(), and TileColors::hasNormals.

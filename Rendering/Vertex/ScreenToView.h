@@ -32,9 +32,12 @@ class ScreenToView {
     return {position, absolute(m_.m[1][1] * inverseW), absolute(perDepth) * kDepthRounding};
   }
 
- private:
   /// Depths near 1 are 2^-24 apart, and some such go astray until a sample has its depth.
   static constexpr float kDepthRounding = 1.0f / (1 << 21);
+  /// From (x, y, depth, 1), before the division.
+  const Mat4f& matrix() const { return m_; }
+
+ private:
   static float absolute(float x) { return x < 0.0f ? -x : x; }
 
   Mat4f m_;
