@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/Contours.h"
 
-#include "Rendering/Lines/Facing.h"
 #include "Rendering/Base/Executor.h"
+#include "Rendering/Lines/Facing.h"
+#include "Rendering/Lines/FindCrossings.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -56,6 +58,12 @@ struct EdgeContours {
   std::vector<Along> along;
 };
 
+/// Points of which only the edge is known.
+struct PendingPoints {
+  CrossingBatch batch;
+  std::uint32_t point[CrossingBatch::kCapacity];
+};
+
 class ContourFinder {
  public:
   ContourFinder(const MeshView& mesh, const EdgeTable& table, const FeatureArrays& arrays,
@@ -74,6 +82,7 @@ class ContourFinder {
   {
     const bool isByCorner = !arrays_.normalOfCorner.empty();
     front_.resize(isByCorner ? 3 * mesh_.triangles.size() : mesh_.vertexCount());
+    sidesOfPlace_ = std::vector<std::atomic<std::uint8_t>>(table_.place.size());
     forEachStretch(threads, front_.size(), [&](std::size_t, std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i) {
         const std::uint32_t vertex =
@@ -81,35 +90,29 @@ class ContourFinder {
         if (vertex >= mesh_.vertexCount()) continue;
         const std::uint32_t normal =
             isByCorner ? arrays_.normalOfCorner[i] : static_cast<std::uint32_t>(i);
-        front_[i] =
-            slope(mesh_.position(vertex), vec3Cast<double>(arrays_.vertexNormals[normal])) >= 0 ? 1
-                                                                                                : 0;
+        const Vec3d n = vec3Cast<double>(arrays_.vertexNormals[normal]);
+        front_[i] = slope(mesh_.position(vertex), n) >= 0 ? 1 : 0;
+        // Most places have one normal, and a write that others wait for only once.
+        const auto side = static_cast<std::uint8_t>(1 + front_[i]);
+        std::atomic<std::uint8_t>& sides = sidesOfPlace_[table_.place[vertex]];
+        if ((sides.load(std::memory_order_relaxed) & side) == 0)
+          sides.fetch_or(side, std::memory_order_relaxed);
       }
     });
   }
 
-  void add(const MeshEdge& edge, EdgeContours& found) const
+  /// Of the edges [first, end).
+  void add(std::size_t first, std::size_t end, EdgeContours& found) const
   {
-    const EdgeSide sides[2] = {side(edge, 0), edge.isShared() ? side(edge, 1) : side(edge, 0)};
-    if (sides[0].isFront[0] == sides[0].isFront[1] && sides[0].isFront[0] == sides[1].isFront[0] &&
-        sides[0].isFront[0] == sides[1].isFront[1])
-      return;
-    const bool isSmooth =
-        normal(sides[0], 0) == normal(sides[1], 0) && normal(sides[0], 1) == normal(sides[1], 1);
-    if (isSmooth) {
-      if (!sides[0].crosses()) return;
-      const std::uint32_t point = addPoint(edge, found, crossing(edge, sides[0], isSmooth_).second);
-      for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
-        found.passages.push_back({edge.corner[f] / 3, point});
-      return;
+    PendingPoints pending;
+    for (std::size_t e = first; e < end; ++e) {
+      const MeshEdge& edge = table_.edges[e];
+      const std::uint8_t a = sidesOfPlace_[edge.vertex[0]].load(std::memory_order_relaxed);
+      const std::uint8_t b = sidesOfPlace_[edge.vertex[1]].load(std::memory_order_relaxed);
+      // All of its normals on one side: nothing crosses.
+      if (a != b || a == (kFrontPlace | kBackPlace)) add(edge, pending, found);
     }
-    addAlong(edge, sides, found);
-  }
-
-  double viewLength(const MeshEdge& edge) const
-  {
-    const Vec3d apart = facing_.inView(edge.vertex[0]) - facing_.inView(edge.vertex[1]);
-    return std::sqrt(dot(apart, apart));
+    settle(pending, found);
   }
 
   /// Whether the front lies towards the viewer, as where a surface bulges; contours of others are
@@ -131,6 +134,49 @@ class ContourFinder {
   }
 
  private:
+  static constexpr std::uint8_t kBackPlace = 1, kFrontPlace = 2;
+
+  void add(const MeshEdge& edge, PendingPoints& pending, EdgeContours& found) const
+  {
+    const EdgeSide sides[2] = {side(edge, 0), edge.isShared() ? side(edge, 1) : side(edge, 0)};
+    if (sides[0].isFront[0] == sides[0].isFront[1] && sides[0].isFront[0] == sides[1].isFront[0] &&
+        sides[0].isFront[0] == sides[1].isFront[1])
+      return;
+    const bool isSmooth =
+        normal(sides[0], 0) == normal(sides[1], 0) && normal(sides[0], 1) == normal(sides[1], 1);
+    if (isSmooth) {
+      if (!sides[0].crosses()) return;
+      const std::uint32_t point =
+          addPoint(edge, found, isSmooth_ ? Vec3d{0, 0, 0} : crossing(edge, sides[0]).second);
+      if (isSmooth_) addPending(edge, sides[0], point, pending);
+      if (pending.batch.count == CrossingBatch::kCapacity) settle(pending, found);
+      for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
+        found.passages.push_back({edge.corner[f] / 3, point});
+      return;
+    }
+    addAlong(edge, sides, found);
+  }
+
+  void addPending(const MeshEdge& edge, const EdgeSide& side, std::uint32_t point,
+                  PendingPoints& pending) const
+  {
+    pending.point[pending.batch.count] = point;
+    pending.batch.add(curveOf(edge, side), side.isFront[0]);
+  }
+  void settle(PendingPoints& pending, EdgeContours& found) const
+  {
+    findCrossings(eye_, isParallel_, pending.batch);
+    for (std::size_t i = 0; i < pending.batch.count; ++i)
+      found.points[pending.point[i]] = pending.batch.place(i);
+    pending.batch.count = 0;
+  }
+
+  double viewLength(const MeshEdge& edge) const
+  {
+    const Vec3d apart = facing_.inView(edge.vertex[0]) - facing_.inView(edge.vertex[1]);
+    return std::sqrt(dot(apart, apart));
+  }
+
   std::uint32_t normalNumber(std::uint32_t corner) const
   {
     return arrays_.normalOfCorner.empty() ? mesh_.triangles[corner / 3].vertex[corner % 3]
@@ -178,8 +224,7 @@ class ContourFinder {
     return result;
   }
 
-  /// Share of the edge, and place, where a side that crosses does so.
-  std::pair<double, Vec3d> crossing(const MeshEdge& edge, const EdgeSide& side, bool isCurved) const
+  EdgeCurve curveOf(const MeshEdge& edge, const EdgeSide& side) const
   {
     const Vec3d p = mesh_.position(edge.vertex[0]), q = mesh_.position(edge.vertex[1]);
     const Vec3d n0 = normal(side, 0), n1 = normal(side, 1);
@@ -188,17 +233,20 @@ class ContourFinder {
     const Vec3d middle = normalized(sum - e * (squared > 0 ? 2 * dot(e, sum) / squared : 0));
     const Vec3d p1 = p + (e - n0 * dot(e, n0)) * (1.0 / 3),
                 q1 = q - (e - n1 * dot(e, n1)) * (1.0 / 3);
-    const auto place = [&](double t) {
-      const double s = 1 - t;
-      if (!isCurved) return p * s + q * t;
-      return (p * (s * s * s) + p1 * (3 * s * s * t)) + (q1 * (3 * s * t * t) + q * (t * t * t));
-    };
+    return {{p, p1, q1, q}, {n0, middle, n1}};
+  }
+
+  /// Share of a straight edge, and place, where a side that crosses does so.
+  std::pair<double, Vec3d> crossing(const MeshEdge& edge, const EdgeSide& side) const
+  {
+    const EdgeCurve curve = curveOf(edge, side);
+    const auto place = [&](double t) { return curve.point[0] * (1 - t) + curve.point[3] * t; };
     double low = 0, high = 1;
-    constexpr int kHalvings = 40;
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kCrossingHalvings; ++i) {
       const double t = 0.5 * (low + high), s = 1 - t;
-      const Vec3d n =
-          isSmooth_ ? (n0 * (s * s) + middle * (2 * s * t)) + n1 * (t * t) : n0 * s + n1 * t;
+      const Vec3d n = isSmooth_ ? (curve.normal[0] * (s * s) + curve.normal[1] * (2 * s * t)) +
+                                      curve.normal[2] * (t * t)
+                                : curve.normal[0] * s + curve.normal[2] * t;
       const bool isFront = slope(place(t), n) >= 0;
       (isFront == side.isFront[0] ? low : high) = t;
     }
@@ -223,7 +271,7 @@ class ContourFinder {
     std::vector<Stop> stops = {{0, edge.vertex[0], true}};
     for (int f = 0; f < 2; ++f) {
       if (!sides[f].crosses()) continue;
-      const auto [t, place] = crossing(edge, sides[f], false);
+      const auto [t, place] = crossing(edge, sides[f]);
       const std::uint32_t point = addPoint(edge, found, place);
       found.passages.push_back({edge.corner[f] / 3, point});
       stops.push_back({t, point, false});
@@ -246,7 +294,8 @@ class ContourFinder {
   Facing facing_;
   bool isParallel_;
   Vec3d eye_;
-  std::vector<std::uint8_t> front_;
+  std::vector<std::uint8_t> front_;                      ///< by vertex, or by corner
+  std::vector<std::atomic<std::uint8_t>> sidesOfPlace_;  ///< kFrontPlace and kBackPlace
 };
 
 /// Puts what the edges found together.
@@ -330,8 +379,7 @@ ContourLines findContours(ContourFinder finder, const MeshView& mesh, const Edge
   std::vector<EdgeContours> found(taskCount(table.edges.size()));
   forEachStretch(threads, table.edges.size(),
                  [&](std::size_t task, std::size_t first, std::size_t end) {
-                   for (std::size_t e = first; e < end; ++e)
-                     finder.add(table.edges[e], found[task]);
+                   finder.add(first, end, found[task]);
                  });
   ContourAssembler assembler(mesh);
   for (const EdgeContours& some : found)
@@ -345,10 +393,27 @@ EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const C
                            const Mat4d& modelToWorld, int threads)
 {
   const Facing facing(mesh, camera, modelToWorld);
+  std::vector<Vec3d> inView(mesh.vertexCount());
+  forEachStretch(threads, inView.size(), [&](std::size_t, std::size_t first, std::size_t end) {
+    for (std::size_t v = first; v < end; ++v)
+      inView[v] = facing.inView(static_cast<std::uint32_t>(v));
+  });
+  std::vector<std::uint8_t> isFront(mesh.triangles.size());
+  forEachStretch(threads, isFront.size(), [&](std::size_t, std::size_t first, std::size_t end) {
+    for (std::size_t t = first; t < end; ++t) {
+      const auto [a, b, c] = mesh.triangles[t].vertex;
+      if (a < inView.size() && b < inView.size() && c < inView.size())
+        isFront[t] = facing.isFront(inView[a], inView[b], inView[c]) ? 1 : 0;
+    }
+  });
   std::vector<std::uint8_t> isChosen(table.edges.size(), 0);
   forEachStretch(threads, table.edges.size(), [&](std::size_t, std::size_t first, std::size_t end) {
-    for (std::size_t e = first; e < end; ++e)
-      isChosen[e] = table.edges[e].isShared() && facing.isOuter(table, table.edges[e]);
+    for (std::size_t e = first; e < end; ++e) {
+      const MeshEdge& edge = table.edges[e];
+      if (!edge.isShared()) continue;
+      const bool isTurned = isFront[edge.corner[0] / 3] != isFront[edge.corner[1] / 3];
+      isChosen[e] = isTurned == (table.woundAlike[e] != 0);
+    }
   });
   EdgeChains chains = chainEdges(table, isChosen, 1);
   chains.chains.flags.assign(chains.edge.size(), kOuterLine);

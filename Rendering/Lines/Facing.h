@@ -30,8 +30,12 @@ class Facing {
   bool isFront(std::uint32_t triangle) const
   {
     const auto [a, b, c] = mesh_.triangles[triangle].vertex;
-    const Vec3d p = inView(a);
-    const double side = dot(cross(inView(b) - p, inView(c) - p), towardEye(p));
+    return isFront(inView(a), inView(b), inView(c));
+  }
+  /// Of corners in view space.
+  bool isFront(Vec3d a, Vec3d b, Vec3d c) const
+  {
+    const double side = dot(cross(b - a, c - a), towardEye(a));
     return isMirrored_ ? side <= 0 : side >= 0;
   }
   bool isOuter(const EdgeTable& table, const MeshEdge& edge) const

@@ -204,6 +204,13 @@ Status buildEdgeTable(const MeshView& mesh, double tolerance, int threads, EdgeT
             "without them."};
   table.place = weldVertices(mesh, tolerance, threads);
   EdgeBuilder(mesh, threads, table).build();
+  table.woundAlike.assign(table.edges.size(), 0);
+  parallelFor(threads, taskCount(table.edges.size(), kEdgesPerTask), [&](std::size_t task) {
+    const std::size_t end = std::min(table.edges.size(), (task + 1) * kEdgesPerTask);
+    for (std::size_t e = task * kEdgesPerTask; e < end; ++e)
+      if (table.edges[e].isShared() && table.isWoundAlike(mesh, table.edges[e]))
+        table.woundAlike[e] = 1;
+  });
   return {};
 }
 

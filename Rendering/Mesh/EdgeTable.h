@@ -27,6 +27,7 @@ struct MeshEdge {
 struct EdgeTable {
   std::vector<std::uint32_t> place;  ///< by vertex: see weldVertices()
   std::vector<MeshEdge> edges;
+  std::vector<std::uint8_t> woundAlike;  ///< by edge: isWoundAlike() of those that are shared
 
   /// Whether the face sets out from edge.vertex[0]. Faces that are wound alike run along an edge
   /// in opposite directions.
