@@ -33,6 +33,10 @@ inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
 /// part of a pixel. Creases lie in the middle of their line. Antialiased by the share of the pixel
 /// that the line covers.
 struct ImageOutline {
+  /// Steps in fewer pixels that touch each other are specks, and left out; but for those that touch
+  /// a border.
+  static constexpr unsigned kSmallestStep = 8;
+
   OutlineDetector detector = OutlineDetector::kNone;
   float depthTolerance = 3;  ///< of a step, in pixels' widths where it is; >= 0
   float creaseDegrees = 40;  ///< normals that differ by more make a line; 0 to 180, 180: none

@@ -3,6 +3,7 @@
 #include "Rendering/Lines/ImageOutline.h"
 
 #include "Rendering/Base/Executor.h"
+#include "Rendering/Lines/DropSpecks.h"
 #include "Rendering/Lines/FindEdges.h"
 #include "Rendering/Lines/MeasureLines.h"
 #include "Rendering/Lines/PaintLayer.h"
@@ -127,6 +128,7 @@ void drawImageOutlines(const OutlinePass& pass)
       finder.find(y, neighbours.marksOf(y), edges[static_cast<std::size_t>(y)],
                   crossings[static_cast<std::size_t>(y)]);
   });
+  dropSpecks(layers, edges);
   forEachBand(pass, [&](int first, int end) {
     const int from = first == pass.touched.y0 ? std::max(first - 1, 0) : first;
     for (int y = from; y < std::min(end, layers.height - 1); ++y)

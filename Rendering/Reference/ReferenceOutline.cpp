@@ -69,6 +69,7 @@ class Outlines {
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x)
         findAt({x, y});
+    dropSpecks();
     for (int y = 0; y + 1 < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x)
         joinAt({x, y});
@@ -234,6 +235,37 @@ class Outlines {
       }
     }
     edges_[index(p)] = Edge{centre(p) + n * distance, n};
+  }
+
+  /// Takes away edges that are seen in few pixels, none of which touches another instance's, or
+  /// nobody's, or the frame's border.
+  void dropSpecks()
+  {
+    std::vector<bool> isSeen(edges_.size(), false);
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x) {
+        if (isSeen[index({x, y})] || !edges_[index({x, y})]) continue;
+        std::vector<Pixel> found = {{x, y}};
+        isSeen[index({x, y})] = true;
+        bool isAtBorder = false;
+        for (std::size_t i = 0; i < found.size(); ++i) {
+          const Pixel p = found[i];
+          for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+              const Pixel q = {p.x + dx, p.y + dy};
+              if (!isInside(q) || layer(q).instance != layer(p).instance) {
+                isAtBorder = true;
+                continue;
+              }
+              if (isSeen[index(q)] || !edges_[index(q)]) continue;
+              isSeen[index(q)] = true;
+              found.push_back(q);
+            }
+        }
+        if (isAtBorder || found.size() >= ImageOutline::kSmallestStep) continue;
+        for (const Pixel p : found)
+          edges_[index(p)].reset();
+      }
   }
 
   /// Where the planes that p and q show meet, between the two, if they make a crease.

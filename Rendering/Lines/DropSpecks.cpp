@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Lines/DropSpecks.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace limn {
+namespace {
+
+/// Edges that touch each other, by the number that their rows give them.
+class Components {
+ public:
+  explicit Components(std::size_t count) : parent_(count), size_(count, 1)
+  {
+    for (std::size_t i = 0; i < count; ++i)
+      parent_[i] = static_cast<std::uint32_t>(i);
+  }
+  void join(std::size_t a, std::size_t b)
+  {
+    std::size_t first = rootOf(a), second = rootOf(b);
+    if (first == second) return;
+    if (size_[first] < size_[second]) std::swap(first, second);
+    parent_[second] = static_cast<std::uint32_t>(first);
+    size_[first] += size_[second];
+  }
+  /// As if `more` others touched it.
+  void grow(std::size_t i, std::uint32_t more) { size_[rootOf(i)] += more; }
+  std::uint32_t sizeAt(std::size_t i) { return size_[rootOf(i)]; }
+
+ private:
+  std::size_t rootOf(std::size_t i)
+  {
+    while (parent_[i] != i) {
+      parent_[i] = parent_[parent_[i]];
+      i = parent_[i];
+    }
+    return i;
+  }
+
+  std::vector<std::uint32_t> parent_, size_;
+};
+
+/// Joins a row's edges to each other and to those of the row below, which come before them.
+void joinRow(const SurfaceLayers& layers, const std::vector<EdgePoint>& row, std::size_t first,
+             const std::vector<EdgePoint>& below, Components& components)
+{
+  const auto areAlike = [&](const EdgePoint& a, const EdgePoint& b) {
+    return layers.instance[a.index] == layers.instance[b.index];
+  };
+  const std::size_t firstBelow = first - below.size();
+  std::size_t b = 0;
+  for (std::size_t i = 0; i < row.size(); ++i) {
+    if (i > 0 && row[i - 1].column + 1 == row[i].column && areAlike(row[i - 1], row[i]))
+      components.join(first + i - 1, first + i);
+    while (b < below.size() && below[b].column < row[i].column - 1)
+      ++b;
+    for (std::size_t k = b; k < below.size() && below[k].column <= row[i].column + 1; ++k)
+      if (areAlike(below[k], row[i])) components.join(firstBelow + k, first + i);
+  }
+}
+
+/// Whether a pixel next to it shows another instance, or nothing.
+bool isAtBorder(const SurfaceLayers& layers, const EdgePoint& edge)
+{
+  const int x = edge.column, y = static_cast<int>(edge.index) / layers.width;
+  if (x == 0 || y == 0 || x + 1 == layers.width || y + 1 == layers.height) return true;
+  for (int row = y - 1; row <= y + 1; ++row)
+    for (int column = x - 1; column <= x + 1; ++column)
+      if (layers.instance[layers.indexOf(column, row)] != layers.instance[edge.index]) return true;
+  return false;
+}
+
+}  // namespace
+
+void dropSpecks(const SurfaceLayers& layers, std::vector<EdgeRow>& edges)
+{
+  std::size_t count = 0;
+  for (const EdgeRow& row : edges)
+    count += row.points.size();
+  Components components(count);
+  std::size_t first = 0;
+  for (std::size_t y = 0; y < edges.size(); ++y) {
+    const std::vector<EdgePoint>& row = edges[y].points;
+    if (row.empty()) continue;
+    joinRow(layers, row, first, y > 0 ? edges[y - 1].points : std::vector<EdgePoint>(), components);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      if (isAtBorder(layers, row[i])) components.grow(first + i, ImageOutline::kSmallestStep);
+    first += row.size();
+  }
+  std::size_t number = 0;
+  for (EdgeRow& row : edges) {
+    const auto isSpeck = [&](const EdgePoint&) {
+      return components.sizeAt(number++) < ImageOutline::kSmallestStep;
+    };
+    row.points.erase(std::remove_if(row.points.begin(), row.points.end(), isSpeck),
+                     row.points.end());
+  }
+}
+
+}  // namespace limn
