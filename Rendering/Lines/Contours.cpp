@@ -80,17 +80,15 @@ class ContourFinder {
 
   void findFronts(int threads)
   {
-    const bool isByCorner = !arrays_.normalOfCorner.empty();
-    front_.resize(isByCorner ? 3 * mesh_.triangles.size() : mesh_.vertexCount());
+    front_.resize(arrays_.vertexNormals.size());
     sidesOfPlace_ = std::vector<std::atomic<std::uint8_t>>(table_.place.size());
     forEachStretch(threads, front_.size(), [&](std::size_t, std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i) {
-        const std::uint32_t vertex =
-            isByCorner ? mesh_.triangles[i / 3].vertex[i % 3] : static_cast<std::uint32_t>(i);
+        const std::uint32_t vertex = arrays_.normalOfCorner.empty()
+                                         ? static_cast<std::uint32_t>(i)
+                                         : arrays_.vertexOfNormal[i];
         if (vertex >= mesh_.vertexCount()) continue;
-        const std::uint32_t normal =
-            isByCorner ? arrays_.normalOfCorner[i] : static_cast<std::uint32_t>(i);
-        const Vec3d n = vec3Cast<double>(arrays_.vertexNormals[normal]);
+        const Vec3d n = vec3Cast<double>(arrays_.vertexNormals[i]);
         front_[i] = slope(mesh_.position(vertex), n) >= 0 ? 1 : 0;
         // Most places have one normal, and a write that others wait for only once.
         const auto side = static_cast<std::uint8_t>(1 + front_[i]);
@@ -215,12 +213,8 @@ class ContourFinder {
     EdgeSide result;
     result.corner[0] = isForward ? corner : next;
     result.corner[1] = isForward ? next : corner;
-    for (int end = 0; end < 2; ++end) {
-      const std::uint32_t at = result.corner[end];
-      const std::size_t i =
-          arrays_.normalOfCorner.empty() ? mesh_.triangles[at / 3].vertex[at % 3] : at;
-      result.isFront[end] = front_[i] != 0;
-    }
+    for (int end = 0; end < 2; ++end)
+      result.isFront[end] = front_[normalNumber(result.corner[end])] != 0;
     return result;
   }
 
@@ -294,7 +288,7 @@ class ContourFinder {
   Facing facing_;
   bool isParallel_;
   Vec3d eye_;
-  std::vector<std::uint8_t> front_;                      ///< by vertex, or by corner
+  std::vector<std::uint8_t> front_;                      ///< by normal
   std::vector<std::atomic<std::uint8_t>> sidesOfPlace_;  ///< kFrontPlace and kBackPlace
 };
 

@@ -57,44 +57,38 @@ ContourLines linked(const std::vector<std::vector<EdgeCrossing>>& found)
   return lines;
 }
 
-/// Crossings on all edges. `find(a, b, point)` for the two vertices of an edge.
-template <class Find>
+/// Crossings on the edges of triangles of which all vertices are chosen. `find(a, b, t)` for the two
+/// vertices of an edge.
+template <class Choose, class Find>
 ContourLines crossedEdges(const CurvedSurface& surface, const EdgeTable& table, int threads,
-                          const std::vector<char>& isChosen, const Find& find)
+                          const Choose& isChosen, const Find& find)
 {
+  const MeshView& mesh = surface.mesh;
+  const auto isWhole = [&](std::uint32_t triangle) {
+    const auto& vertex = mesh.triangles[triangle].vertex;
+    return std::all_of(vertex, vertex + 3, [&](std::uint32_t v) {
+      return v < mesh.vertexCount() && isChosen(v);
+    });
+  };
   std::vector<std::vector<EdgeCrossing>> found((table.edges.size() + kPerTask - 1) / kPerTask);
   forEachTask(threads, table.edges.size(),
               [&](std::size_t task, std::size_t first, std::size_t end) {
                 for (std::size_t e = first; e < end; ++e) {
                   const MeshEdge& edge = table.edges[e];
-                  EdgeCrossing crossing = {{kNoCorner, kNoCorner}, {}};
-                  for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
-                    if (isChosen[edge.corner[f] / 3] != 0)
-                      crossing.triangle[f] = edge.corner[f] / 3;
-                  if (crossing.triangle[0] == kNoCorner && crossing.triangle[1] == kNoCorner)
-                    continue;
+                  if (!isChosen(edge.vertex[0]) || !isChosen(edge.vertex[1])) continue;
                   double t;
                   if (!find(edge.vertex[0], edge.vertex[1], t)) continue;
-                  const Vec3d a = surface.mesh.position(edge.vertex[0]);
-                  crossing.point = a + (surface.mesh.position(edge.vertex[1]) - a) * t;
+                  EdgeCrossing crossing = {{kNoCorner, kNoCorner}, {}};
+                  for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
+                    if (isWhole(edge.corner[f] / 3)) crossing.triangle[f] = edge.corner[f] / 3;
+                  if (crossing.triangle[0] == kNoCorner && crossing.triangle[1] == kNoCorner)
+                    continue;
+                  const Vec3d a = mesh.position(edge.vertex[0]);
+                  crossing.point = a + (mesh.position(edge.vertex[1]) - a) * t;
                   found[task].push_back(crossing);
                 }
               });
   return linked(found);
-}
-
-template <class Choose>
-std::vector<char> chosenTriangles(const MeshView& mesh, int threads, const Choose& choose)
-{
-  std::vector<char> isChosen(mesh.triangles.size(), 0);
-  forEachTask(threads, isChosen.size(), [&](std::size_t, std::size_t first, std::size_t end) {
-    for (std::size_t t = first; t < end; ++t) {
-      const auto& vertex = mesh.triangles[t].vertex;
-      isChosen[t] = std::all_of(
-          vertex, vertex + 3, [&](std::uint32_t v) { return v < mesh.vertexCount() && choose(v); });
-    }
-  });
-  return isChosen;
 }
 
 /// What suggestive contours are at a vertex.
@@ -137,8 +131,7 @@ ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, 
   const auto bend = [&](std::uint32_t v) {
     return sign * static_cast<double>(surface.curvature[v].curvature[0]);
   };
-  const auto isChosen =
-      chosenTriangles(surface.mesh, threads, [&](std::uint32_t v) { return bend(v) > least; });
+  const auto isChosen = [&](std::uint32_t v) { return bend(v) > least; };
   // Along this k_1 becomes more extreme.
   const auto toMore = [&](std::uint32_t v) {
     const VertexCurvature& c = surface.curvature[v];
@@ -172,21 +165,25 @@ ContourLines suggestiveContours(const CurvedSurface& surface, const EdgeTable& t
   };
   const std::size_t count = surface.mesh.vertexCount();
   std::vector<RadialCurvature> radial(count);
+  enum Side : std::uint8_t { kBehind, kBentAway, kBentTowards };
+  std::vector<Side> side(count, kBehind);
   forEachTask(threads, count, [&](std::size_t, std::size_t first, std::size_t end) {
     for (std::size_t v = first; v < end; ++v) {
       const Vec3d p = transformPoint(toView, surface.mesh.position(v));
-      const Vec3d toEye = normalized(toModel(camera.parallel ? Vec3d{0, 0, 1} : -p));
-      radial[v] = radialAt(surface.curvature[v], vec3Cast<double>(surface.normals[v]), toEye);
+      const Vec3d n = vec3Cast<double>(surface.normals[v]);
+      const Vec3d toEye = toModel(camera.parallel ? Vec3d{0, 0, 1} : -p);
+      if (!(dot(n, toEye) > 0)) continue;
+      radial[v] = radialAt(surface.curvature[v], n, normalized(toEye));
+      side[v] = radial[v].radial >= 0 ? kBentTowards : kBentAway;
     }
   });
   const double size = featureSize(surface.mesh);
   const double least = thresholds.suggestive / (size * size);
-  const auto isChosen =
-      chosenTriangles(surface.mesh, threads, [&](std::uint32_t v) { return radial[v].facing > 0; });
+  const auto isChosen = [&](std::uint32_t v) { return side[v] != kBehind; };
   return crossedEdges(surface, table, threads, isChosen,
                       [&](std::uint32_t a, std::uint32_t b, double& t) {
+                        if (side[a] == side[b]) return false;
                         const RadialCurvature &atA = radial[a], &atB = radial[b];
-                        if ((atA.radial >= 0) == (atB.radial >= 0)) return false;
                         t = atA.radial / (atA.radial - atB.radial);
                         const double slope = atA.slope + t * (atB.slope - atA.slope);
                         const double facing = atA.facing + t * (atB.facing - atA.facing);

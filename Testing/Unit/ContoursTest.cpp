@@ -209,7 +209,9 @@ TEST(Contours, FollowHardEdgesWhereOneSideIsSeen)
   SplitNormals split;
   ASSERT_TRUE(splitVertexNormals(cube.view(), cube.cells, NormalWeight::kArea, 30, 2, split).ok());
   Model model(cube.view(), split.normals);
+  const std::vector<std::uint32_t> vertices = verticesOfNormals(cube.view(), split);
   model.arrays.normalOfCorner = split.ofCorner;
+  model.arrays.vertexOfNormal = vertices;
   const Stage stage = stageOf(testing::perspectiveView({3, 2, 4}, {0, 0, 0}, 40));
   const ContourLines contours = model.smooth(stage);
   ASSERT_EQ(contours.chains.first.size(), 2u);

@@ -272,6 +272,10 @@ Status SurfaceLines::updateNormals(double creaseDegrees, const Instance& instanc
   const Status status = splitVertexNormals(this->weldedMesh(instance.mesh),
     instance.attributes.cells, NormalWeight::kAngle, creaseDegrees, threads, normals_);
   normalsDegrees_ = status.ok() ? creaseDegrees : -1;
+  if (status.ok())
+  {
+    vertexOfNormal_ = verticesOfNormals(this->weldedMesh(instance.mesh), normals_);
+  }
   return status;
 }
 
@@ -310,6 +314,7 @@ Status SurfaceLines::addContours(
   FeatureArrays arrays;
   arrays.vertexNormals = normals_.normals;
   arrays.normalOfCorner = normals_.ofCorner;
+  arrays.vertexOfNormal = vertexOfNormal_;
   frame.contours.push_back(
     std::make_shared<const ContourLines>(smoothContours(this->weldedMesh(instance.mesh), table_,
       arrays, view.camera, instance.modelToWorld, view.threads)));
@@ -327,6 +332,7 @@ Status SurfaceLines::addTerminators(
   FeatureArrays arrays;
   arrays.vertexNormals = normals_.normals;
   arrays.normalOfCorner = normals_.ofCorner;
+  arrays.vertexOfNormal = vertexOfNormal_;
   const bool isOfAll = property->GetLineLights() == vtkLimnProperty::LINE_LIGHTS_ALL;
   const std::size_t count = isOfAll ? view.rays.size() : std::min<std::size_t>(1, view.rays.size());
   std::vector<Terminator> terminators;

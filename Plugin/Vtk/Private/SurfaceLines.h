@@ -118,6 +118,7 @@ private:
   std::vector<Triangle> weldedTriangles_;
   double normalsDegrees_ = -1;
   SplitNormals normals_; ///< of the welded mesh, split where lines are creases
+  std::vector<std::uint32_t> vertexOfNormal_;
   std::vector<Vec3f> smoothNormals_;
   NormalsVersion curvedNormals_;
   std::vector<VertexCurvature> curvature_;
