@@ -176,12 +176,18 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
   memory.colors.hasNormals = !frame.normal.empty() || surfaces != nullptr;
   memory.colors.hasPlanes = surfaces != nullptr;
   memory.shader.shade(clusters, pixels, samples, memory.fragments, memory.colors);
-  if (surfaces != nullptr)
-    writeLayers(clusters, memory.visible, pixels, memory.fragments, memory.colors, *surfaces);
+  const auto writeSurfaces = [&](const ResolvedTile* resolved) {
+    if (surfaces != nullptr)
+      writeLayers(clusters, memory.visible, pixels, memory.fragments, memory.colors, *surfaces,
+                  resolved);
+  };
   if (opaque == memory.ordered.size()) {
     resolve(clusters, place, frame, memory);
+    const ResolvedTile resolved = {frame, place};
+    writeSurfaces(&resolved);
     return stats;
   }
+  writeSurfaces(nullptr);
   TranslucentLayers layers(clusters, opaque, pixels, memory);
   stats.truncatedPixels = layers.composite(frame, place);
   resolve(clusters, place, frame, memory);

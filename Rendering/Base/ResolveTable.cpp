@@ -43,21 +43,15 @@ ResolveTable::ResolveTable()
     linear_[byte] = gamma22Of510ths(2 * byte);
     lowerEnd_[byte] = byte == 0 ? 0 : gamma22Of510ths(2 * byte - 1);
   }
+  reciprocal_[0] = 0;
+  for (std::uint32_t count = 1; count <= kMostCount; ++count)
+    reciprocal_[count] = 0xFFFFFFFFu / count;
   unsigned byte = 0;
   for (std::uint32_t guess = 0; guess <= kGuesses; ++guess) {
     while (byte < 255 && lowerEnd_[byte + 1] <= guess << kGuessBits)
       ++byte;
     firstGuess_[guess] = static_cast<std::uint8_t>(byte);
   }
-}
-
-std::uint8_t ResolveTable::byteOfMean(std::uint32_t sum, std::uint32_t count) const
-{
-  // 16 * 2^24 fits an unsigned 32-bit number.
-  unsigned byte = firstGuess_[sum / count >> kGuessBits];
-  while (byte < 255 && lowerEnd_[byte + 1] * count <= sum)
-    ++byte;
-  return static_cast<std::uint8_t>(byte);
 }
 
 }  // namespace limn

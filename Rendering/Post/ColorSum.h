@@ -12,7 +12,10 @@ namespace limn {
 /// A sum of colours, weighted by counts of samples, and its mean.
 class ColorSum {
  public:
-  explicit ColorSum(Resolve resolve) : resolve_(resolve) {}
+  explicit ColorSum(Resolve resolve)
+      : table_(resolve == Resolve::kGamma22 ? &ResolveTable::gamma22() : nullptr)
+  {
+  }
 
   void add(Rgba8 color, std::uint32_t samples)
   {
@@ -27,12 +30,11 @@ class ColorSum {
  private:
   std::uint32_t value(std::uint8_t byte) const
   {
-    return resolve_ == Resolve::kGamma22 ? ResolveTable::gamma22().linear(byte) : byte;
+    return table_ != nullptr ? table_->linear(byte) : byte;
   }
   std::uint8_t byte(std::uint32_t sum) const
   {
-    return resolve_ == Resolve::kGamma22 ? ResolveTable::gamma22().byteOfMean(sum, count_)
-                                         : linearByte(sum);
+    return table_ != nullptr ? table_->byteOfMean(sum, count_) : linearByte(sum);
   }
   std::uint8_t linearByte(std::uint32_t sum) const
   {
@@ -40,7 +42,7 @@ class ColorSum {
     return static_cast<std::uint8_t>((sum + count_ / 2) / count_);
   }
 
-  Resolve resolve_;
+  const ResolveTable* table_;  ///< null: linear
   std::uint32_t r_ = 0, g_ = 0, b_ = 0, a_ = 0, count_ = 0;
 };
 

@@ -17,7 +17,8 @@ namespace {
 class LayerWriter {
  public:
   LayerWriter(const TileClusters& clusters, const VisibilityTile& tile, const TileRectangle& pixels,
-              const FragmentList& fragments, const TileColors& colors, const LayerTarget& target)
+              const FragmentList& fragments, const TileColors& colors, const LayerTarget& target,
+              const ResolvedTile* resolved)
       : clusters_(clusters),
         scene_(*clusters.scene->scene),
         tile_(tile),
@@ -26,6 +27,7 @@ class LayerWriter {
         colors_(colors),
         isKeptApart_(target.background == Background::kKeepApart),
         allSamples_(static_cast<std::uint8_t>(scene_.samples)),
+        resolved_(resolved),
         layers_(target.layers)
   {
   }
@@ -179,7 +181,8 @@ class LayerWriter {
         radiance = radiance + radianceOf(colors_.fragmentRadiance, f) * static_cast<float>(samples);
       count += samples;
     }
-    layers_.color[index] = sum.mean();
+    layers_.color[index] =
+        resolved_ != nullptr && count == allSamples_ ? resolvedAt(pixel) : sum.mean();
     setCounts(index, count, covered);
     const auto n = static_cast<float>(count);
     if (colors_.hasRadiance)
@@ -225,6 +228,12 @@ class LayerWriter {
     set(colors_.fragmentPlane, layers_.plane);
   }
 
+  /// The mean of all of a pixel's samples.
+  Rgba8 resolvedAt(std::size_t pixel) const
+  {
+    return resolved_->frame.color[TilePlace(resolved_->pixels, resolved_->frame).indexOf(pixel)];
+  }
+
   int columnOf(std::size_t pixel) const { return pixels_.x0 + static_cast<int>(pixel % kTileSide); }
   int rowOf(std::size_t pixel) const { return pixels_.y0 + static_cast<int>(pixel / kTileSide); }
   std::size_t indexOf(std::size_t pixel) const
@@ -263,6 +272,7 @@ class LayerWriter {
   const TileColors& colors_;
   bool isKeptApart_;
   std::uint8_t allSamples_;
+  const ResolvedTile* resolved_;
   SurfaceLayers& layers_;
 };
 
@@ -277,9 +287,9 @@ void clearLayers(const TileRectangle& pixels, SurfaceLayers& layers)
 
 void writeLayers(const TileClusters& clusters, const VisibilityTile& tile,
                  const TileRectangle& pixels, const FragmentList& fragments,
-                 const TileColors& colors, const LayerTarget& target)
+                 const TileColors& colors, const LayerTarget& target, const ResolvedTile* resolved)
 {
-  LayerWriter writer(clusters, tile, pixels, fragments, colors, target);
+  LayerWriter writer(clusters, tile, pixels, fragments, colors, target, resolved);
   writer.writeRuns();
   writer.writeFragments();
 }

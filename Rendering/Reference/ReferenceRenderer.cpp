@@ -267,7 +267,7 @@ std::uint8_t meanByte(const std::uint8_t* bytes, int count, Resolve resolve)
 
 Rgba8 meanColor(const std::vector<Rgba8>& colors, Resolve resolve)
 {
-  std::uint8_t channel[4][kMaxSamples];
+  std::uint8_t channel[4][kMaxSamples] = {};
   const int count = static_cast<int>(colors.size());
   for (int i = 0; i < count; ++i) {
     const Rgba8 c = colors[static_cast<std::size_t>(i)];
