@@ -254,6 +254,7 @@ const std::vector<SceneMaker>& SceneMakers()
       [] { return Textured(Filling(MakeTexturedSphere(200, 200), 3840, 2160)); }),
     named("torus 0.2M, all lines", [] { return Illustrated(TorusScene(316, 0)); }),
     named("torus 0.2M, all lines, 4 samples", [] { return Illustrated(TorusScene(316, 4)); }),
+    named("torus 2M, all lines", [] { return Illustrated(TorusScene(1000, 0)); }),
   };
   return makers;
 }
