@@ -13,6 +13,12 @@ namespace {
 
 constexpr std::size_t kPerTask = 8192;
 
+/// Where curvature falls by a smaller share of itself within a feature size, rounding makes the
+/// extremes: on cylinders and tori.
+constexpr double kLeastFall = 0.02;
+/// Between an edge and the way across a ridge: edges along it say little of how curvature falls.
+constexpr double kLeastCosine = 0.25;
+
 template <class Body>
 void forEachTask(int threads, std::size_t count, const Body& body)
 {
@@ -137,6 +143,12 @@ ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, 
     const VertexCurvature& c = surface.curvature[v];
     return vec3Cast<double>(c.direction[0]) * (sign * static_cast<double>(c.derivative[0]));
   };
+  const double size = featureSize(surface.mesh);
+  const auto isCrest = [&](Vec3d change, Vec3d edge, double curvature) {
+    const double squared = dot(change, change), most = std::sqrt(squared * dot(edge, edge));
+    const double along = std::max(std::fabs(dot(change, edge)), kLeastCosine * most);
+    return squared * (size * size) >= 2 * kLeastFall * curvature * along;
+  };
   return crossedEdges(
       surface, table, threads, isChosen, [&](std::uint32_t a, std::uint32_t b, double& t) {
         const Vec3d atA = toMore(a), atB = toMore(b);
@@ -144,6 +156,7 @@ ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, 
         const double lengthA = std::sqrt(dot(atA, atA)), lengthB = std::sqrt(dot(atB, atB));
         if (!(dot(atA, atB) <= 0) || !(lengthA + lengthB > 0)) return false;
         if (!(dot(atA, e) >= 0) && !(dot(atB, e) <= 0)) return false;
+        if (!isCrest(atA - atB, e, 0.5 * (bend(a) + bend(b)))) return false;
         t = lengthA / (lengthA + lengthB);
         return true;
       });

@@ -27,8 +27,9 @@ struct CurveThresholds {
 enum class ExtremeKind : std::uint8_t { kRidge, kValley };
 
 /// Where the larger principal curvature k_1 is extreme along its own direction (Ohtake et al.
-/// 2004): D_1 k_1 = 0, a maximum with k_1 > 0 at a ridge, a minimum with k_1 < 0 in a valley. Does
-/// not depend on the view.
+/// 2004): D_1 k_1 = 0, a maximum with k_1 > 0 at a ridge, a minimum with k_1 < 0 in a valley. Only
+/// where |k_1| falls by 2 % or more of itself within a feature size: less is rounding's work, as on
+/// cylinders and tori. Does not depend on the view.
 ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, ExtremeKind kind,
                           const CurveThresholds& thresholds, int threads);
 

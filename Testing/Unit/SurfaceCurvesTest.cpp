@@ -210,6 +210,15 @@ TEST(Ridges, AreWhereTheSurfaceBendsMoreThanTheThreshold)
   }
 }
 
+// Their larger curvature is the same all along its direction, but for rounding. So fine that this
+// would draw thousands.
+TEST(Ridges, ToriHaveNone)
+{
+  const Curved torus(testing::torus(1, 0.5, 300, 300));
+  EXPECT_TRUE(torus.extremes(ExtremeKind::kRidge).chains.empty());
+  EXPECT_TRUE(torus.extremes(ExtremeKind::kValley).chains.empty());
+}
+
 TEST(Ridges, SpheresHaveNone)
 {
   const Curved sphere(ellipsoid({1, 1, 1}));
