@@ -84,9 +84,8 @@ class ContourFinder {
     sidesOfPlace_ = std::vector<std::atomic<std::uint8_t>>(table_.place.size());
     forEachStretch(threads, front_.size(), [&](std::size_t, std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end; ++i) {
-        const std::uint32_t vertex = arrays_.normalOfCorner.empty()
-                                         ? static_cast<std::uint32_t>(i)
-                                         : arrays_.vertexOfNormal[i];
+        const std::uint32_t vertex = arrays_.normalOfCorner.empty() ? static_cast<std::uint32_t>(i)
+                                                                    : arrays_.vertexOfNormal[i];
         if (vertex >= mesh_.vertexCount()) continue;
         const Vec3d n = vec3Cast<double>(arrays_.vertexNormals[i]);
         front_[i] = slope(mesh_.position(vertex), n) >= 0 ? 1 : 0;

@@ -63,8 +63,8 @@ ContourLines linked(const std::vector<std::vector<EdgeCrossing>>& found)
   return lines;
 }
 
-/// Crossings on the edges of triangles of which all vertices are chosen. `find(a, b, t)` for the two
-/// vertices of an edge.
+/// Crossings on the edges of triangles of which all vertices are chosen. `find(a, b, t)` for the
+/// two vertices of an edge.
 template <class Choose, class Find>
 ContourLines crossedEdges(const CurvedSurface& surface, const EdgeTable& table, int threads,
                           const Choose& isChosen, const Find& find)
@@ -72,9 +72,8 @@ ContourLines crossedEdges(const CurvedSurface& surface, const EdgeTable& table, 
   const MeshView& mesh = surface.mesh;
   const auto isWhole = [&](std::uint32_t triangle) {
     const auto& vertex = mesh.triangles[triangle].vertex;
-    return std::all_of(vertex, vertex + 3, [&](std::uint32_t v) {
-      return v < mesh.vertexCount() && isChosen(v);
-    });
+    return std::all_of(vertex, vertex + 3,
+                       [&](std::uint32_t v) { return v < mesh.vertexCount() && isChosen(v); });
   };
   std::vector<std::vector<EdgeCrossing>> found((table.edges.size() + kPerTask - 1) / kPerTask);
   forEachTask(threads, table.edges.size(),
