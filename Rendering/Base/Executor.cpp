@@ -47,7 +47,7 @@ void parallelFor(int threads, std::size_t count, const std::function<void(std::s
       body(i);
     return;
   }
-  withThreads(threads, [&] {
+  const auto loop = [&] {
     tbb::parallel_for(
         tbb::blocked_range<std::size_t>(0, count, 1),
         [&](const tbb::blocked_range<std::size_t>& range) {
@@ -56,7 +56,10 @@ void parallelFor(int threads, std::size_t count, const std::function<void(std::s
             body(i);
         },
         tbb::simple_partitioner());
-  });
+  };
+  // A thread that waits for others helps with this loop alone: were it to take up a caller's next
+  // iteration, which may draw, it would use the memory of the frame that it is waiting for.
+  withThreads(threads, [&] { tbb::this_task_arena::isolate(loop); });
 }
 
 }  // namespace limn

@@ -81,10 +81,11 @@ void dropSpecks(const SurfaceLayers& layers, std::vector<EdgeRow>& edges)
     count += row.points.size();
   Components components(count);
   std::size_t first = 0;
+  std::vector<EdgePoint> none;
   for (std::size_t y = 0; y < edges.size(); ++y) {
     const std::vector<EdgePoint>& row = edges[y].points;
     if (row.empty()) continue;
-    joinRow(layers, row, first, y > 0 ? edges[y - 1].points : std::vector<EdgePoint>(), components);
+    joinRow(layers, row, first, y > 0 ? edges[y - 1].points : none, components);
     for (std::size_t i = 0; i < row.size(); ++i)
       if (isAtBorder(layers, row[i])) components.grow(first + i, ImageOutline::kSmallestStep);
     first += row.size();

@@ -94,7 +94,10 @@ void beginLayers(const Scene& scene, const FrameView& frame, SurfaceLayers& laye
   const std::size_t room = pixels + SurfaceLayers::kSpare;
   layers.instance.resize(room);
   const bool isSingle = scene.samples == 1;
-  if (isSingle && (!layers.isSingle || layers.sample.size() < room)) {
+  // Until all of them are there, none counts: memory may run out.
+  const bool wasSingle = layers.isSingle;
+  layers.isSingle = false;
+  if (isSingle && (!wasSingle || layers.sample.size() < room)) {
     layers.sample.assign(room, 0);
     layers.count.assign(room, 1);
     layers.shared.assign(room, 1);

@@ -98,10 +98,10 @@ struct SurfaceLayers {
     layer.other = isSingle ? kNobody : other[i];
     return layer;
   }
-  SurfaceLayer at(std::size_t index) const
+  ViewPoint pointAt(std::size_t index) const
   {
     const auto columns = static_cast<std::size_t>(width);
-    return at(static_cast<int>(index % columns), static_cast<int>(index / columns));
+    return pointAt(static_cast<int>(index % columns), static_cast<int>(index / columns));
   }
 };
 
@@ -126,9 +126,18 @@ inline float stepTolerance(const Style& style, const ViewPoint& point)
 struct PlaneDistances {
   float ofSecond, ofFirst;
 
+  struct Patch {
+    Vec3f position, plane;
+  };
+
   PlaneDistances(const SurfaceLayer& first, const SurfaceLayer& second)
+      : PlaneDistances(Patch{first.point.position, first.plane},
+                       Patch{second.point.position, second.plane})
   {
-    const Vec3f way = second.point.position - first.point.position;
+  }
+  PlaneDistances(const Patch& first, const Patch& second)
+  {
+    const Vec3f way = second.position - first.position;
     ofSecond = dot(first.plane, way);
     ofFirst = -dot(second.plane, way);
   }

@@ -92,10 +92,14 @@ void HaloFinder::findShares(int y)
 /// Of parts of one instance: whether they are different surfaces.
 bool HaloFinder::isStep(std::size_t behind, std::size_t before) const
 {
-  const SurfaceLayer first = pass_.layers.at(behind), second = pass_.layers.at(before);
-  const Style& style = pass_.scene.instances[pass_.layers.instance[before]].style;
-  const float a = stepTolerance(style, first.point), b = stepTolerance(style, second.point);
-  return PlaneDistances(first, second).areStep(a < b ? b : a);
+  // Others may paint the colours meanwhile.
+  const SurfaceLayers& layers = pass_.layers;
+  const ViewPoint first = layers.pointAt(behind), second = layers.pointAt(before);
+  const Style& style = pass_.scene.instances[layers.instance[before]].style;
+  const float a = stepTolerance(style, first), b = stepTolerance(style, second);
+  return PlaneDistances({first.position, layers.plane[behind]},
+                        {second.position, layers.plane[before]})
+      .areStep(a < b ? b : a);
 }
 
 HaloFinder::Border HaloFinder::borderAt(Column column, int y) const
@@ -146,7 +150,7 @@ void HaloFinder::addHalo(int y, Column end, int row)
     const std::size_t index = layers.indexOf(x, y);
     if (!(share > 0.0f) || share < layers.halo[index]) continue;
     const bool isBetter =
-        share > layers.halo[index] || border.distance < -layers.at(owner_[index]).point.position.z;
+        share > layers.halo[index] || border.distance < -layers.pointAt(owner_[index]).position.z;
     if (!isBetter || areOneSurface(index, border)) continue;
     layers.halo[index] = share;
     owner_[index] = static_cast<std::uint32_t>(border.index);

@@ -3,6 +3,7 @@
 //
 // The pipeline draws what the reference renderer draws, bit for bit, on every instruction set and
 // with any number of threads.
+#include "Rendering/Base/Executor.h"
 #include "Rendering/Post/EffectPlanes.h"
 #include "Rendering/Renderer.h"
 #include "Testing/Agreement/RandomScene.h"
@@ -450,6 +451,20 @@ TEST(Threads, AnyNumberDrawsTheSamePicture)
       ASSERT_EQ(drawn(random, {Backend::kPipeline, threads}).differingPixels(one), 0u)
           << "seed " << seed << ", " << threads << " threads";
   }
+}
+
+// With all threads of the caller's, a thread that waits for a frame could begin another.
+TEST(Threads, LoopsOfFramesDrawTheSamePictures)
+{
+  constexpr std::uint32_t kFirst = 1000;
+  constexpr std::size_t kFrames = 200;
+  const auto sceneOf = [](std::size_t i) {
+    return RandomScene(kFirst + static_cast<std::uint32_t>(i), RandomScene::Detail::kImageLines);
+  };
+  std::vector<Picture> looped(kFrames, Picture(1, 1));
+  parallelFor(8, kFrames, [&](std::size_t i) { looped[i] = drawn(sceneOf(i), {}); });
+  for (std::size_t i = 0; i < kFrames; ++i)
+    ASSERT_EQ(drawn(sceneOf(i), {Backend::kPipeline, 1}).differingPixels(looped[i]), 0u) << i;
 }
 
 }  // namespace
