@@ -19,6 +19,14 @@ bool overlap(const Box& a, const Box& b)
          a.low.z <= b.high.z && b.low.z <= a.high.z;
 }
 
+Box grown(Box box, double by)
+{
+  const Vec3d far = {by, by, by};
+  box.low = box.low - far;
+  box.high = box.high + far;
+  return box;
+}
+
 double sumOfSizes(Vec3d v)
 {
   return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z);
@@ -64,14 +72,14 @@ class Cutter {
   void cut(std::uint32_t first, std::vector<CutPiece>& pieces)
   {
     if (world_.isBroken(first)) return;
-    const Box box = boxOf(first);
+    const Corners a(world_, first);
+    const Box box = grown(boxOf(first), kCutBoxRoundings * a.rounding);
     found_.clear();
     tree_.visit([&](const Box& other) { return overlap(box, other); },
                 [&](std::uint32_t t) {
                   if (t > first && overlap(box, boxOf(t)) && mayCut(first, t)) found_.push_back(t);
                 });
     std::sort(found_.begin(), found_.end());
-    const Corners a(world_, first);
     for (const std::uint32_t second : found_) {
       const Corners b(world_, second);
       CutPiece piece = {{first, second}, {}};

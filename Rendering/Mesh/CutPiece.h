@@ -27,5 +27,8 @@ struct CutPiece {
 inline constexpr Vec3d kCutMove = {0.5773, 0.3217, 0.7505};
 /// Distances below this share of WorldMesh::size are rounding.
 inline constexpr double kCutRounding = 1e-12;
+/// Boxes of triangles that are apart by no more roundings meet: what lies off a plane by less may
+/// count as beyond it, and slivers' planes round more.
+inline constexpr double kCutBoxRoundings = 64;
 
 }  // namespace limn

@@ -331,7 +331,8 @@ bool boxesMeet(const WorldMesh& world, const Triangle& s, const Triangle& t)
   for (const std::uint32_t v : t.vertex)
     second.add(world.points[v]);
   const Vec3d before = first.high - second.low, after = second.high - first.low;
-  return std::min({before.x, before.y, before.z, after.x, after.y, after.z}) >= 0;
+  return std::min({before.x, before.y, before.z, after.x, after.y, after.z}) >=
+         -kCutBoxRoundings * (kCutRounding * world.size);
 }
 
 bool shareAPoint(const Triangle& s, const Triangle& t)

@@ -16,7 +16,7 @@ namespace limn {
 namespace {
 
 constexpr std::uint64_t kHashOfShadows = 13465966768996453725u;
-constexpr std::uint64_t kHashOfIntersections = 8846184150051589907u;
+constexpr std::uint64_t kHashOfIntersections = 84245614203796633u;
 constexpr int kSeeds = 400;
 
 class RandomWorld {

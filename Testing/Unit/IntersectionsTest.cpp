@@ -70,6 +70,26 @@ TEST(Intersections, TouchingIsAllOrNothing)
   EXPECT_NEAR(lengthOf(lines), 8, 1e-9);
 }
 
+TEST(Intersections, OfMeridiansInOrNearAPlaneAreTheCircle)
+{
+  // From pole to pole and back, with all of the vertices a little above the plane or below.
+  const testing::OwnedMesh ball = testing::sphere(16, 32);
+  const Polyhedron plane = testing::plane(4);
+  for (const float off : {0.0f, 1e-17f, -1e-17f, 1e-12f, -1e-12f, 1e-8f, -1e-8f, 1e-5f, -1e-5f}) {
+    Polyhedron turned;
+    turned.triangles = ball.triangles;
+    // Exact, so that the seam and the poles are each one place.
+    const auto snapped = [](float x, float to) { return std::fabs(x) < 1e-6f ? to : x; };
+    for (const Vec3f& p : ball.positions)
+      turned.positions.push_back({snapped(p.z, 0), snapped(p.x, 0), snapped(p.y, off)});
+    const ContourLines lines =
+        WorldStage({{turned.view(), placed(1, {})}, {plane.view(), placed(1.5, {})}}).cuts();
+    EXPECT_EQ(chainCount(lines), 1u) << off;
+    EXPECT_EQ(closedChains(lines), 1u) << off;
+    EXPECT_NEAR(lengthOf(lines), 2 * kPi, 0.03) << off;
+  }
+}
+
 TEST(Intersections, WithinOneMeshAreFoundAndItsOwnEdgesAreNone)
 {
   const testing::OwnedMesh ball = testing::sphere(24, 32);
