@@ -310,7 +310,9 @@ void addIllustration(OptionList& options, SceneSettings& scene)
     choose(material.outlineDetector, detectors()));
   options.add("--outline-tolerance", "px", "of image: how deep a step is at least (3)",
     into(material.outlineTolerance, parseNotNegative));
-  options.add("--outline-crease-angle", "degrees", "of image: 0 to 180; 180: no creases (40)",
+  options.add("--outline-crease-angle", "degrees",
+    "of image, between normals as they are drawn: hard edges\nof meshes without normals need "
+    "--feature-angle; 180: none (40)",
     into(material.outlineCreaseDegrees, parseFeatureAngle));
 }
 

@@ -16,6 +16,13 @@ constexpr double kShortest = 1e-6;
 
 enum class Seen : std::uint8_t { kOutside, kHidden, kVisible };
 
+/// What tells whether a sample is seen.
+enum class Evidence : std::uint8_t {
+  kDepth,
+  kNone,   ///< beyond the picture's border, or next to it; a wide line may still show its half
+  kOther,  ///< nothing that its neighbours share
+};
+
 /// A segment before the near plane, of which the shares from `from` to `to` may be in the picture.
 struct PathSegment {
   LinePoint a, b;
@@ -47,7 +54,9 @@ class ChainCutter {
     isClosed_ = end_ - first_ > 2 && set_.vertex[first_] == set_.vertex[end_ - 1];
     segments_.clear();
     seen_.clear();
+    evidence_.clear();
     placeSegments();
+    carryBeyond();
     smooth();
     for (std::size_t i = 0; i < segments_.size(); ++i)
       addRuns(i, pieces);
@@ -123,14 +132,55 @@ class ChainCutter {
     for (std::size_t i = 0; i < segment.sampleCount; ++i) {
       const double share = shareAt(segment, static_cast<double>(i) + 0.5);
       const double depth = segment.at(share, &LinePoint::depth);
+      const bool isTested = depth <= 1 && !isConcealed;
       if (depth > 1)
         seen_.push_back(Seen::kOutside);
       else if (isConcealed)
         seen_.push_back(Seen::kHidden);
       else
         seen_.push_back(isVisible(segment, share) ? Seen::kVisible : Seen::kHidden);
+      evidence_.push_back(!isTested                  ? Evidence::kOther
+                          : isBeyond(segment, share) ? Evidence::kNone
+                                                     : Evidence::kDepth);
     }
   }
+  /// Or so near to the border that the picture does not show what is on either side.
+  bool isBeyond(const PathSegment& segment, double share) const
+  {
+    const double x = segment.at(share, &LinePoint::x), y = segment.at(share, &LinePoint::y);
+    return !(x >= 1 && x < frame_.width - 1 && y >= 1 && y < frame_.height - 1);
+  }
+
+  /// Beyond the border a line is seen if it last was in the picture, or will be next.
+  void carryBeyond()
+  {
+    for (std::size_t s = 0; s < segments_.size();) {
+      const std::size_t first = segments_[s].firstSample;
+      for (++s; s < segments_.size() && segments_[s].continues;)
+        ++s;
+      const std::size_t end = s < segments_.size() ? segments_[s].firstSample : seen_.size();
+      for (std::size_t i = first; i < end;) {
+        std::size_t next = i + 1;
+        while (next < end &&
+               (evidence_[next] == Evidence::kNone) == (evidence_[i] == Evidence::kNone))
+          ++next;
+        if (evidence_[i] == Evidence::kNone)
+          settleBeyond(i, next, i > first && tells(i - 1), next < end && tells(next));
+        i = next;
+      }
+    }
+  }
+  bool tells(std::size_t sample) const { return evidence_[sample] == Evidence::kDepth; }
+  void settleBeyond(std::size_t first, std::size_t end, bool asBefore, bool asAfter)
+  {
+    if (!asBefore && !asAfter) return;
+    const bool isSeen = (asBefore && seen_[first - 1] == Seen::kVisible) ||
+                        (asAfter && seen_[end] == Seen::kVisible);
+    std::fill(seen_.begin() + static_cast<std::ptrdiff_t>(first),
+              seen_.begin() + static_cast<std::ptrdiff_t>(end),
+              isSeen ? Seen::kVisible : Seen::kHidden);
+  }
+
   static double shareAt(const PathSegment& segment, double sample)
   {
     return segment.from +
@@ -321,6 +371,7 @@ class ChainCutter {
   double length_ = 0;  ///< of the chain
   std::vector<PathSegment> segments_;
   std::vector<Seen> seen_, raw_;
+  std::vector<Evidence> evidence_;  ///< of each in seen_
 };
 
 /// Chains that one thread cuts at a time.

@@ -51,6 +51,8 @@ struct Segment {
   bool startsWhole, endsWhole;  ///< nothing was cut off there
   bool follows;                 ///< the segment before it ends where this one starts
   std::vector<Seen> seen;       ///< sample by sample
+  std::vector<char> isLeft;     ///< to its neighbours: the picture does not show what is about it
+  std::vector<char> isAsked;    ///< whether depths told
 
   double share(std::size_t sample, double offset) const
   {
@@ -218,10 +220,47 @@ class Lines {
   void look(Segment& s) const
   {
     s.seen.resize(static_cast<std::size_t>(std::max(1.0, std::ceil(s.length * (s.to - s.from)))));
+    s.isLeft.resize(s.seen.size());
+    s.isAsked.resize(s.seen.size());
     for (std::size_t i = 0; i < s.seen.size(); ++i) {
       const Dot p = between(s.a, s.b, s.share(i, 0.5));
       const bool isVisible = (s.flags & kConcealedLine) == 0 && isBefore(p);
       s.seen[i] = p.depth > 1 ? Seen::kNo : isVisible ? Seen::kYes : Seen::kHidden;
+      const bool isInside =
+          p.x >= 1 && p.y >= 1 && p.x < frame_.width - 1 && p.y < frame_.height - 1;
+      const bool isOther = p.depth > 1 || (s.flags & kConcealedLine) != 0;
+      s.isLeft[i] = !isOther && !isInside;
+      s.isAsked[i] = !isOther && isInside;
+    }
+  }
+
+  /// Samples without an answer of their own are seen if the next with one is, on either side.
+  static void askNeighbours(std::vector<Segment>& segments)
+  {
+    struct Sample {
+      Seen* seen;
+      bool isLeft, isAsked, startsAnew;
+    };
+    std::vector<Sample> samples;
+    for (Segment& s : segments)
+      for (std::size_t i = 0; i < s.seen.size(); ++i)
+        samples.push_back({&s.seen[i], s.isLeft[i] != 0, s.isAsked[i] != 0, i == 0 && !s.follows});
+    const int count = static_cast<int>(samples.size());
+    const auto at = [&](int i) -> const Sample& { return samples[static_cast<std::size_t>(i)]; };
+    for (int i = 0; i < count; ++i) {
+      if (!at(i).isLeft) continue;
+      int before = i, after = i;
+      while (before >= 0 && at(before).isLeft)
+        before = at(before).startsAnew ? -1 : before - 1;
+      do
+        ++after;
+      while (after < count && at(after).isLeft && !at(after).startsAnew);
+      const bool hasBefore = before >= 0 && at(before).isAsked;
+      const bool hasAfter = after < count && !at(after).startsAnew && at(after).isAsked;
+      if (!hasBefore && !hasAfter) continue;
+      const bool isSeen = (hasBefore && *at(before).seen == Seen::kYes) ||
+                          (hasAfter && *at(after).seen == Seen::kYes);
+      *at(i).seen = isSeen ? Seen::kYes : Seen::kHidden;
     }
   }
 
@@ -279,6 +318,7 @@ class Lines {
       segments.push_back(*s);
     }
     if (segments.empty()) return;
+    askNeighbours(segments);
     smooth(segments);
     const bool endsAtTheEnd = !isBroken;
     if (isClosed && startsAtTheStart && endsAtTheEnd) segments.front().follows = true;

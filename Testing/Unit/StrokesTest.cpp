@@ -465,6 +465,34 @@ TEST_P(Strokes, OrderAndDirectionOfLinesDoNotCount)
   EXPECT_EQ(drawn(stage).differingPixels(first), 0u);
 }
 
+// Of a disc's border that touches the picture's border from inside or outside, half or less shows.
+TEST_P(Strokes, BordersAreDrawnNextToThePicturesBorderAndBeyond)
+{
+  for (const double scale : {1.02, 1.0, 0.98}) {
+    Stage stage;
+    stage.view = testing::parallelView({0, 0, 3}, {0, 0, 0}, scale);
+    stage.width = stage.height = 200;
+    const OwnedMesh ball = testing::sphere(64, 128);
+    Polylines ring;
+    std::vector<Vec3d> chain;
+    for (int i = 0; i <= 128; ++i)
+      chain.push_back({std::cos(i * kPi / 64), std::sin(i * kPi / 64), 0});
+    ring.add(chain);
+    const std::vector<LineSet> sets = {ring.lines(redLine(12))};
+    stage.instances = {testing::painted(ball, {0, 0, 1})};
+    stage.instances[0].lines = sets;
+    const Picture picture = drawn(stage);
+    for (int k = 60; k < 140; ++k)
+      for (const auto& [x, y] :
+           {std::pair(k, 0), std::pair(k, 199), std::pair(0, k), std::pair(199, k)}) {
+        const double off = std::hypot(x + 0.5 - 100, y + 0.5 - 100) - 100 / scale;
+        if (std::fabs(off) > 5) continue;
+        EXPECT_EQ(picture.radiance[0][static_cast<std::size_t>(y * 200 + x)], 1)
+            << scale << ' ' << x << ' ' << y;
+      }
+  }
+}
+
 TEST_P(Strokes, LinesBeforeTheEyeAndOutsideThePictureAreCutOff)
 {
   Stage stage;
