@@ -199,6 +199,7 @@ ContourLines intersectionLines(const WorldMesh& world, Span<const CutPiece> piec
                                       ends.begin());
   };
   std::vector<LineLink> links;
+  links.reserve(own.size());
   for (const CutPiece* const piece : own)
     links.push_back({numberOf(piece->end[0]), numberOf(piece->end[1]), piece->triangle[0]});
   ContourLines lines;
