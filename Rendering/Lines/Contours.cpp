@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/Contours.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Lines/Facing.h"
 #include "Rendering/Lines/FindCrossings.h"
 
@@ -15,19 +15,6 @@ namespace limn {
 namespace {
 
 constexpr std::size_t kPerTask = 8192;
-
-/// Calls body(task, first, end) for stretches of [0, count).
-template <class Body>
-void forEachStretch(int threads, std::size_t count, const Body& body)
-{
-  parallelFor(threads, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
-    body(task, task * kPerTask, std::min(count, (task + 1) * kPerTask));
-  });
-}
-std::size_t taskCount(std::size_t count)
-{
-  return (count + kPerTask - 1) / kPerTask;
-}
 
 /// Share of an edge's length by which facets may lie before the contour of the smooth surface.
 constexpr double kFacetSlack = 0.15;
@@ -82,20 +69,23 @@ class ContourFinder {
   {
     front_.resize(arrays_.vertexNormals.size());
     sidesOfPlace_ = std::vector<std::atomic<std::uint8_t>>(table_.place.size());
-    forEachStretch(threads, front_.size(), [&](std::size_t, std::size_t first, std::size_t end) {
-      for (std::size_t i = first; i < end; ++i) {
-        const std::uint32_t vertex = arrays_.normalOfCorner.empty() ? static_cast<std::uint32_t>(i)
-                                                                    : arrays_.vertexOfNormal[i];
-        if (vertex >= mesh_.vertexCount()) continue;
-        const Vec3d n = vec3Cast<double>(arrays_.vertexNormals[i]);
-        front_[i] = slope(mesh_.position(vertex), n) >= 0 ? 1 : 0;
-        // Most places have one normal, and a write that others wait for only once.
-        const auto side = static_cast<std::uint8_t>(1 + front_[i]);
-        std::atomic<std::uint8_t>& sides = sidesOfPlace_[table_.place[vertex]];
-        if ((sides.load(std::memory_order_relaxed) & side) == 0)
-          sides.fetch_or(side, std::memory_order_relaxed);
-      }
-    });
+    parallelForStretches(threads, front_.size(), kPerTask,
+                         [&](std::size_t, std::size_t first, std::size_t end) {
+                           for (std::size_t i = first; i < end; ++i) {
+                             const std::uint32_t vertex = arrays_.normalOfCorner.empty()
+                                                              ? static_cast<std::uint32_t>(i)
+                                                              : arrays_.vertexOfNormal[i];
+                             if (vertex >= mesh_.vertexCount()) continue;
+                             const Vec3d n = vec3Cast<double>(arrays_.vertexNormals[i]);
+                             front_[i] = slope(mesh_.position(vertex), n) >= 0 ? 1 : 0;
+                             // Most places have one normal, and a write that others wait for only
+                             // once.
+                             const auto side = static_cast<std::uint8_t>(1 + front_[i]);
+                             std::atomic<std::uint8_t>& sides = sidesOfPlace_[table_.place[vertex]];
+                             if ((sides.load(std::memory_order_relaxed) & side) == 0)
+                               sides.fetch_or(side, std::memory_order_relaxed);
+                           }
+                         });
   }
 
   /// Of the edges [first, end).
@@ -369,11 +359,11 @@ ContourLines findContours(ContourFinder finder, const MeshView& mesh, const Edge
                           std::uint8_t flag, int threads)
 {
   finder.findFronts(threads);
-  std::vector<EdgeContours> found(taskCount(table.edges.size()));
-  forEachStretch(threads, table.edges.size(),
-                 [&](std::size_t task, std::size_t first, std::size_t end) {
-                   finder.add(first, end, found[task]);
-                 });
+  std::vector<EdgeContours> found(stretchCount(table.edges.size(), kPerTask));
+  parallelForStretches(threads, table.edges.size(), kPerTask,
+                       [&](std::size_t task, std::size_t first, std::size_t end) {
+                         finder.add(first, end, found[task]);
+                       });
   ContourAssembler assembler(mesh);
   for (const EdgeContours& some : found)
     assembler.add(some);
@@ -387,27 +377,30 @@ EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const C
 {
   const Facing facing(mesh, camera, modelToWorld);
   std::vector<Vec3d> inView(mesh.vertexCount());
-  forEachStretch(threads, inView.size(), [&](std::size_t, std::size_t first, std::size_t end) {
-    for (std::size_t v = first; v < end; ++v)
-      inView[v] = facing.inView(static_cast<std::uint32_t>(v));
-  });
+  parallelForStretches(threads, inView.size(), kPerTask,
+                       [&](std::size_t, std::size_t first, std::size_t end) {
+                         for (std::size_t v = first; v < end; ++v)
+                           inView[v] = facing.inView(static_cast<std::uint32_t>(v));
+                       });
   std::vector<std::uint8_t> isFront(mesh.triangles.size());
-  forEachStretch(threads, isFront.size(), [&](std::size_t, std::size_t first, std::size_t end) {
-    for (std::size_t t = first; t < end; ++t) {
-      const auto [a, b, c] = mesh.triangles[t].vertex;
-      if (a < inView.size() && b < inView.size() && c < inView.size())
-        isFront[t] = facing.isFront(inView[a], inView[b], inView[c]) ? 1 : 0;
-    }
-  });
+  parallelForStretches(threads, isFront.size(), kPerTask,
+                       [&](std::size_t, std::size_t first, std::size_t end) {
+                         for (std::size_t t = first; t < end; ++t) {
+                           const auto [a, b, c] = mesh.triangles[t].vertex;
+                           if (a < inView.size() && b < inView.size() && c < inView.size())
+                             isFront[t] = facing.isFront(inView[a], inView[b], inView[c]) ? 1 : 0;
+                         }
+                       });
   std::vector<std::uint8_t> isChosen(table.edges.size(), 0);
-  forEachStretch(threads, table.edges.size(), [&](std::size_t, std::size_t first, std::size_t end) {
-    for (std::size_t e = first; e < end; ++e) {
-      const MeshEdge& edge = table.edges[e];
-      if (!edge.isShared()) continue;
-      const bool isTurned = isFront[edge.corner[0] / 3] != isFront[edge.corner[1] / 3];
-      isChosen[e] = isTurned == (table.woundAlike[e] != 0);
-    }
-  });
+  parallelForStretches(
+      threads, table.edges.size(), kPerTask, [&](std::size_t, std::size_t first, std::size_t end) {
+        for (std::size_t e = first; e < end; ++e) {
+          const MeshEdge& edge = table.edges[e];
+          if (!edge.isShared()) continue;
+          const bool isTurned = isFront[edge.corner[0] / 3] != isFront[edge.corner[1] / 3];
+          isChosen[e] = isTurned == (table.woundAlike[e] != 0);
+        }
+      });
   EdgeChains chains = chainEdges(table, isChosen, 1);
   chains.chains.flags.assign(chains.edge.size(), kOuterLine);
   return chains;

@@ -5,7 +5,7 @@
 #include "Rendering/Lines/LinePlace.h"
 #include "Rendering/Lines/StrokePieces.h"
 #include "Rendering/Lines/TileStroke.h"
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 
 #include <algorithm>
 #include <atomic>
@@ -17,14 +17,6 @@ namespace {
 
 constexpr std::size_t kPiecesPerTask = 1024;
 constexpr std::size_t kPointsPerTask = 4096;
-
-/// Calls body(first, end) for stretches of [0, count), in any order.
-template <class Body>
-void forEachStretch(int threads, std::size_t count, std::size_t size, const Body& body)
-{
-  parallelFor(threads, (count + size - 1) / size,
-              [&](std::size_t task) { body(task * size, std::min(count, (task + 1) * size)); });
-}
 
 /// For each tile the pieces that may cover some of it.
 class StrokeBins {
@@ -59,12 +51,10 @@ class StrokeBins {
   template <class Visit>
   void forEachPiece(const StrokePlan& plan, int threads, const Visit& visit) const
   {
-    forEachStretch(
-        threads, plan.pieces.size(), kPiecesPerTask, [&](std::size_t first, std::size_t end) {
-          for (std::size_t i = first; i < end; ++i)
-            forEachTile(plan.pieces[i],
-                        [&](std::size_t tile) { visit(tile, static_cast<std::uint32_t>(i)); });
-        });
+    parallelForEach(threads, plan.pieces.size(), kPiecesPerTask, [&](std::size_t i) {
+      forEachTile(plan.pieces[i],
+                  [&](std::size_t tile) { visit(tile, static_cast<std::uint32_t>(i)); });
+    });
   }
   template <class Visit>
   void forEachTile(const StrokePiece& piece, const Visit& visit) const
@@ -263,9 +253,9 @@ struct ScreenBox {
 ScreenBox boxOf(const LineSet& set, const LinePlace& place, int threads)
 {
   const std::size_t count = set.vertex.size();
-  std::vector<ScreenBox> boxes((count + kPointsPerTask - 1) / kPointsPerTask);
-  forEachStretch(threads, count, kPointsPerTask, [&](std::size_t first, std::size_t end) {
-    ScreenBox& box = boxes[first / kPointsPerTask];
+  std::vector<ScreenBox> boxes(stretchCount(count, kPointsPerTask));
+  const auto growBox = [&](std::size_t stretch, std::size_t first, std::size_t end) {
+    ScreenBox& box = boxes[stretch];
     for (std::size_t i = first; i < end; ++i) {
       LinePoint point;
       if (place.place(set, set.vertex[i], point))
@@ -273,7 +263,8 @@ ScreenBox boxOf(const LineSet& set, const LinePlace& place, int threads)
       else
         box.add({-1e300, -1e300, 1e300, 1e300});
     }
-  });
+  };
+  parallelForStretches(threads, count, kPointsPerTask, growBox);
   ScreenBox all;
   for (const ScreenBox& box : boxes)
     all.add(box);

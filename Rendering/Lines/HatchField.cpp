@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/HatchField.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Mesh/LocalPosition.h"
 
 #include <algorithm>
@@ -12,16 +12,6 @@ namespace limn {
 namespace {
 
 constexpr std::size_t kPerTask = 4096;
-
-template <class Body>
-void forEach(int threads, std::size_t count, const Body& body)
-{
-  parallelFor(threads, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
-    const std::size_t end = std::min(count, (task + 1) * kPerTask);
-    for (std::size_t i = task * kPerTask; i < end; ++i)
-      body(i);
-  });
-}
 
 /// A direction without a sign in some plane with two axes: (cos 2a, sin 2a) of its angle a.
 struct Doubled {
@@ -42,20 +32,21 @@ class FieldSmoother {
     principal_.resize(count);
     std::vector<Vec3d> field(count, Vec3d{0, 0, 0}), next(count, Vec3d{0, 0, 0});
     const double size = 40 * featureSize(surface_.mesh);
-    forEach(threads_, count, [&](std::size_t v) {
+    parallelForEach(threads_, count, kPerTask, [&](std::size_t v) {
       if (first_[v] == first_[v + 1]) return;
       principal_[v] = principalOf(v);
       trust_[v] = isSharp_[v] != 0 ? 0.0 : trustOf(v, size);
       field[v] = mixed(v, doubledOf(v, alongAxis(v)), trust_[v]);
     });
     for (int round = 0; round < kFieldRounds; ++round) {
-      forEach(threads_, count, [&](std::size_t v) {
+      parallelForEach(threads_, count, kPerTask, [&](std::size_t v) {
         if (first_[v] != first_[v + 1]) next[v] = mixed(v, meanAround(v, field), trust_[v]);
       });
       field.swap(next);
     }
     std::vector<Vec3f> result(count);
-    forEach(threads_, count, [&](std::size_t v) { result[v] = vec3Cast<float>(field[v]); });
+    parallelForEach(threads_, count, kPerTask,
+                    [&](std::size_t v) { result[v] = vec3Cast<float>(field[v]); });
     return result;
   }
 

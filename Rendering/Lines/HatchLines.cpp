@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/HatchLines.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
 #include "Rendering/Vertex/PlaceLights.h"
 
@@ -172,10 +172,8 @@ ContourLines hatchLines(const HatchStrokes& strokes, const Mat4d& modelToWorld,
   for (std::size_t s = 0; s < strokes.strokeCount(); ++s)
     std::fill(isCross.begin() + strokes.first[s], isCross.begin() + strokes.first[s + 1],
               strokes.isCross[s]);
-  parallelFor(threads, (limit.size() + kPerTask - 1) / kPerTask, [&](std::size_t task) {
-    const std::size_t end = std::min(limit.size(), (task + 1) * kPerTask);
-    for (std::size_t i = task * kPerTask; i < end; ++i)
-      limit[i] = limits.limit(strokes.vertex[i], isCross[i] != 0);
+  parallelForEach(threads, limit.size(), kPerTask, [&](std::size_t i) {
+    limit[i] = limits.limit(strokes.vertex[i], isCross[i] != 0);
   });
   ContourLines lines;
   PartWriter writer(strokes, static_cast<float>(limits.slack()), lines);

@@ -7,21 +7,6 @@
 #include <cmath>
 
 namespace limn {
-namespace {
-
-std::uint8_t toByte(float x)
-{
-  const float bounded = x > 0.0f ? (x < 255.0f ? x : 255.0f) : 0.0f;
-  return static_cast<std::uint8_t>(std::nearbyint(bounded));
-}
-
-float boundedRadiance(float x)
-{
-  return x > 0.0f ? (x < kMaxRadiance ? x : kMaxRadiance) : 0.0f;
-}
-
-}  // namespace
-
 std::uint8_t changed(ChannelChange c, double samples, int shared, Resolve resolve)
 {
   if (resolve == Resolve::kLinear)

@@ -6,6 +6,19 @@
 
 namespace limn {
 
+/// Rounded to nearest even, as std::nearbyint, which is a call on older processors.
+inline std::uint8_t toByte(float x)
+{
+  constexpr float kUnit = 12582912.0f;  // 1.5 * 2^23: floats from there on are whole
+  const float bounded = x > 0.0f ? (x < 255.0f ? x : 255.0f) : 0.0f;
+  return static_cast<std::uint8_t>((bounded + kUnit) - kUnit);
+}
+
+inline float boundedRadiance(float x)
+{
+  return x > 0.0f ? (x < kMaxRadiance ? x : kMaxRadiance) : 0.0f;
+}
+
 /// One channel of a pixel, and of those of its samples that change.
 struct ChannelChange {
   std::uint8_t pixel, from, to;

@@ -3,7 +3,7 @@
 #include "Rendering/Lines/SurfaceCurves.h"
 
 #include "Rendering/Mesh/LocalPosition.h"
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,14 +18,6 @@ constexpr std::size_t kPerTask = 8192;
 constexpr double kLeastFall = 0.02;
 /// Between an edge and the way across a ridge: edges along it say little of how curvature falls.
 constexpr double kLeastCosine = 0.25;
-
-template <class Body>
-void forEachTask(int threads, std::size_t count, const Body& body)
-{
-  parallelFor(threads, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
-    body(task, task * kPerTask, std::min(count, (task + 1) * kPerTask));
-  });
-}
 
 /// A point of a curve on an edge, as the faces at it have it.
 struct EdgeCrossing {
@@ -75,24 +67,24 @@ ContourLines crossedEdges(const CurvedSurface& surface, const EdgeTable& table, 
     return std::all_of(vertex, vertex + 3,
                        [&](std::uint32_t v) { return v < mesh.vertexCount() && isChosen(v); });
   };
-  std::vector<std::vector<EdgeCrossing>> found((table.edges.size() + kPerTask - 1) / kPerTask);
-  forEachTask(threads, table.edges.size(),
-              [&](std::size_t task, std::size_t first, std::size_t end) {
-                for (std::size_t e = first; e < end; ++e) {
-                  const MeshEdge& edge = table.edges[e];
-                  if (!isChosen(edge.vertex[0]) || !isChosen(edge.vertex[1])) continue;
-                  double t;
-                  if (!find(edge.vertex[0], edge.vertex[1], t)) continue;
-                  EdgeCrossing crossing = {{kNoCorner, kNoCorner}, {}};
-                  for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
-                    if (isWhole(edge.corner[f] / 3)) crossing.triangle[f] = edge.corner[f] / 3;
-                  if (crossing.triangle[0] == kNoCorner && crossing.triangle[1] == kNoCorner)
-                    continue;
-                  const Vec3d a = mesh.position(edge.vertex[0]);
-                  crossing.point = a + (mesh.position(edge.vertex[1]) - a) * t;
-                  found[task].push_back(crossing);
-                }
-              });
+  std::vector<std::vector<EdgeCrossing>> found(stretchCount(table.edges.size(), kPerTask));
+  parallelForStretches(
+      threads, table.edges.size(), kPerTask,
+      [&](std::size_t task, std::size_t first, std::size_t end) {
+        for (std::size_t e = first; e < end; ++e) {
+          const MeshEdge& edge = table.edges[e];
+          if (!isChosen(edge.vertex[0]) || !isChosen(edge.vertex[1])) continue;
+          double t;
+          if (!find(edge.vertex[0], edge.vertex[1], t)) continue;
+          EdgeCrossing crossing = {{kNoCorner, kNoCorner}, {}};
+          for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
+            if (isWhole(edge.corner[f] / 3)) crossing.triangle[f] = edge.corner[f] / 3;
+          if (crossing.triangle[0] == kNoCorner && crossing.triangle[1] == kNoCorner) continue;
+          const Vec3d a = mesh.position(edge.vertex[0]);
+          crossing.point = a + (mesh.position(edge.vertex[1]) - a) * t;
+          found[task].push_back(crossing);
+        }
+      });
   return linked(found);
 }
 
@@ -179,16 +171,17 @@ ContourLines suggestiveContours(const CurvedSurface& surface, const EdgeTable& t
   std::vector<RadialCurvature> radial(count);
   enum Side : std::uint8_t { kBehind, kBentAway, kBentTowards };
   std::vector<Side> side(count, kBehind);
-  forEachTask(threads, count, [&](std::size_t, std::size_t first, std::size_t end) {
-    for (std::size_t v = first; v < end; ++v) {
-      const Vec3d p = transformPoint(toView, surface.mesh.position(v));
-      const Vec3d n = vec3Cast<double>(surface.normals[v]);
-      const Vec3d toEye = toModel(camera.parallel ? Vec3d{0, 0, 1} : -p);
-      if (!(dot(n, toEye) > 0)) continue;
-      radial[v] = radialAt(surface.curvature[v], n, normalized(toEye));
-      side[v] = radial[v].radial >= 0 ? kBentTowards : kBentAway;
-    }
-  });
+  parallelForStretches(threads, count, kPerTask,
+                       [&](std::size_t, std::size_t first, std::size_t end) {
+                         for (std::size_t v = first; v < end; ++v) {
+                           const Vec3d p = transformPoint(toView, surface.mesh.position(v));
+                           const Vec3d n = vec3Cast<double>(surface.normals[v]);
+                           const Vec3d toEye = toModel(camera.parallel ? Vec3d{0, 0, 1} : -p);
+                           if (!(dot(n, toEye) > 0)) continue;
+                           radial[v] = radialAt(surface.curvature[v], n, normalized(toEye));
+                           side[v] = radial[v].radial >= 0 ? kBentTowards : kBentAway;
+                         }
+                       });
   const double size = featureSize(surface.mesh);
   const double least = thresholds.suggestive / (size * size);
   const auto isChosen = [&](std::uint32_t v) { return side[v] != kBehind; };

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/Curvature.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 
 #include <algorithm>
 #include <array>
@@ -13,16 +13,6 @@ namespace limn {
 namespace {
 
 constexpr std::size_t kPerTask = 4096;
-
-template <class Body>
-void forEach(int threads, std::size_t count, const Body& body)
-{
-  parallelFor(threads, (count + kPerTask - 1) / kPerTask, [&](std::size_t task) {
-    const std::size_t end = std::min(count, (task + 1) * kPerTask);
-    for (std::size_t i = task * kPerTask; i < end; ++i)
-      body(i);
-  });
-}
 
 /// Two unit vectors that span a plane.
 struct Frame {
@@ -124,20 +114,20 @@ class CurvatureEstimator {
     frames_.resize(vertices);
     tensors_.assign(vertices, Tensor{});
     std::vector<Tensor> ofFace(mesh_.triangles.size());
-    forEach(threads_, ofFace.size(), [&](std::size_t t) {
+    parallelForEach(threads_, ofFace.size(), kPerTask, [&](std::size_t t) {
       if (isProper_[t]) ofFace[t] = fit(t);
     });
-    forEach(threads_, vertices, [&](std::size_t v) {
+    parallelForEach(threads_, vertices, kPerTask, [&](std::size_t v) {
       frames_[v] = firstFrame(v);
       tensors_[v] = mean<Tensor>(v, ofFace);
       turnToPrincipal(v);
     });
     std::vector<TensorSlope> slopeOfFace(mesh_.triangles.size());
-    forEach(threads_, slopeOfFace.size(), [&](std::size_t t) {
+    parallelForEach(threads_, slopeOfFace.size(), kPerTask, [&](std::size_t t) {
       if (isProper_[t]) slopeOfFace[t] = fitSlope(t);
     });
     std::vector<VertexCurvature> result(vertices);
-    forEach(threads_, vertices, [&](std::size_t v) {
+    parallelForEach(threads_, vertices, kPerTask, [&](std::size_t v) {
       const TensorSlope slope = mean<TensorSlope>(v, slopeOfFace);
       VertexCurvature& out = result[v];
       out.direction[0] = vec3Cast<float>(frames_[v].u);
@@ -156,7 +146,8 @@ class CurvatureEstimator {
     const std::size_t triangles = mesh_.triangles.size(), vertices = mesh_.vertexCount();
     isProper_.assign(triangles, 0);
     first_.assign(vertices + 1, 0);
-    forEach(threads_, triangles, [&](std::size_t t) { isProper_[t] = isProper(t) ? 1 : 0; });
+    parallelForEach(threads_, triangles, kPerTask,
+                    [&](std::size_t t) { isProper_[t] = isProper(t) ? 1 : 0; });
     for (std::size_t t = 0; t < triangles; ++t)
       for (const std::uint32_t v : mesh_.triangles[t].vertex)
         if (isProper_[t]) ++first_[v + 1];

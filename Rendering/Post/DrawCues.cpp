@@ -16,19 +16,6 @@
 namespace limn {
 namespace {
 
-/// Rounded to nearest even, as std::nearbyint, which is a call on older processors.
-std::uint8_t toByte(float x)
-{
-  constexpr float kUnit = 12582912.0f;  // 1.5 * 2^23: floats from there on are whole
-  const float bounded = x > 0.0f ? (x < 255.0f ? x : 255.0f) : 0.0f;
-  return static_cast<std::uint8_t>((bounded + kUnit) - kUnit);
-}
-
-float boundedRadiance(float x)
-{
-  return x > 0.0f ? (x < kMaxRadiance ? x : kMaxRadiance) : 0.0f;
-}
-
 /// The cues' strengths by instance, and their radii, of which a scene has few.
 struct CueSettings {
   static constexpr std::size_t kNone = ~std::size_t{0};

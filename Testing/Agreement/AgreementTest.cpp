@@ -159,12 +159,13 @@ TEST_P(EveryTarget, ReflectsLikeTheReference)
   }
 }
 
-TEST_P(EveryTarget, TonesLikeTheReference)
+/// Pixels that a detail changes in the scenes [0, scenes) with it, all of which both renderers have
+/// to draw alike.
+void compareChanges(RandomScene::Detail detail, std::uint32_t scenes, std::size_t& changedPixels)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};
-  std::size_t changedPixels = 0;
-  for (std::uint32_t seed = 0; seed < 400; ++seed) {
-    const RandomScene random(seed, RandomScene::Detail::kTones);
+  for (std::uint32_t seed = 0; seed < scenes; ++seed) {
+    const RandomScene random(seed, detail);
     Picture expected = random.canvas(), actual = random.canvas();
     if (seed % 4 == 0)
       for (Picture* picture : {&expected, &actual})
@@ -178,28 +179,19 @@ TEST_P(EveryTarget, TonesLikeTheReference)
     for (std::size_t i = 0; i < plain.color.size(); ++i)
       changedPixels += plain.color[i].g != actual.color[i].g;
   }
+}
+
+TEST_P(EveryTarget, TonesLikeTheReference)
+{
+  std::size_t changedPixels = 0;
+  ASSERT_NO_FATAL_FAILURE(compareChanges(RandomScene::Detail::kTones, 400, changedPixels));
   EXPECT_GT(changedPixels, 500000u) << "tones must show";
 }
 
 TEST_P(EveryTarget, HatchesLikeTheReference)
 {
-  constexpr int kThreads[] = {1, 2, 3, 8};
   std::size_t changedPixels = 0;
-  for (std::uint32_t seed = 0; seed < 300; ++seed) {
-    const RandomScene random(seed, RandomScene::Detail::kHatching);
-    Picture expected = random.canvas(), actual = random.canvas();
-    if (seed % 4 == 0)
-      for (Picture* picture : {&expected, &actual})
-        picture->addRadiance();
-    const RenderOptions options = {Backend::kPipeline, kThreads[seed % 4]};
-    ASSERT_TRUE(
-        render(random.scene(), expected.frame(random.background()), {Backend::kReference, 1}).ok());
-    ASSERT_TRUE(render(random.scene(), actual.frame(random.background()), options).ok());
-    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
-    const Picture plain = drawn(RandomScene(seed), {Backend::kPipeline, 2});
-    for (std::size_t i = 0; i < plain.color.size(); ++i)
-      changedPixels += plain.color[i].g != actual.color[i].g;
-  }
+  ASSERT_NO_FATAL_FAILURE(compareChanges(RandomScene::Detail::kHatching, 300, changedPixels));
   EXPECT_GT(changedPixels, 500000u) << "strokes must show";
 }
 
