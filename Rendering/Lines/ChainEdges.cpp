@@ -102,16 +102,37 @@ void chainLinks(Span<const LineLink> links, std::size_t pointCount, LineChains& 
   Chainer(links, pointCount, chains, source).chain();
 }
 
+EdgeChains chainEdges(const EdgeTable& table, Span<const std::uint32_t> edges)
+{
+  // By numbers of their own, as there are few of them: a table of all places would take longer.
+  std::vector<std::uint32_t> places;
+  places.reserve(2 * edges.size());
+  for (const std::uint32_t e : edges)
+    for (const std::uint32_t place : table.edges[e].vertex)
+      places.push_back(place);
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  const auto numberOf = [&](std::uint32_t place) {
+    const auto at = std::lower_bound(places.begin(), places.end(), place);
+    return static_cast<std::uint32_t>(at - places.begin());
+  };
+  std::vector<LineLink> links;
+  links.reserve(edges.size());
+  for (const std::uint32_t e : edges)
+    links.push_back({numberOf(table.edges[e].vertex[0]), numberOf(table.edges[e].vertex[1]), e});
+  EdgeChains result;
+  chainLinks(links, places.size(), result.chains, &result.edge);
+  for (std::uint32_t& vertex : result.chains.vertex)
+    vertex = places[vertex];
+  return result;
+}
+
 EdgeChains chainEdges(const EdgeTable& table, Span<const std::uint8_t> kindsOfEdges, unsigned kinds)
 {
-  std::vector<LineLink> links;
+  std::vector<std::uint32_t> edges;
   for (std::size_t e = 0; e < table.edges.size(); ++e)
-    if ((kindsOfEdges[e] & kinds) != 0)
-      links.push_back(
-          {table.edges[e].vertex[0], table.edges[e].vertex[1], static_cast<std::uint32_t>(e)});
-  EdgeChains result;
-  chainLinks(links, table.place.size(), result.chains, &result.edge);
-  return result;
+    if ((kindsOfEdges[e] & kinds) != 0) edges.push_back(static_cast<std::uint32_t>(e));
+  return chainEdges(table, edges);
 }
 
 void markOuterEdges(const MeshView& mesh, const EdgeTable& table, const Camera& camera,

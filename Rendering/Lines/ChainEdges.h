@@ -43,6 +43,9 @@ struct EdgeChains {
   std::vector<std::uint32_t> edge;  ///< by vertex of the chains
 };
 
+/// Of the edges of these numbers, in ascending order.
+EdgeChains chainEdges(const EdgeTable& table, Span<const std::uint32_t> edges);
+
 /// Of all edges with one of `kinds`, a sum of EdgeKinds.
 EdgeChains chainEdges(const EdgeTable& table, Span<const std::uint8_t> kindsOfEdges,
                       unsigned kinds);

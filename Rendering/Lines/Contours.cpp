@@ -5,9 +5,9 @@
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Lines/Facing.h"
 #include "Rendering/Lines/FindCrossings.h"
+#include "Rendering/Lines/RecentValues.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <utility>
 
@@ -51,54 +51,44 @@ struct PendingPoints {
   std::uint32_t point[CrossingBatch::kCapacity];
 };
 
+using Fronts = RecentValues<bool>;  ///< by normal
+
+/// Calls find(edge's number) for those of the edges [first, end) about which a viewer may see both
+/// sides. `first` is a multiple of kEdgesPerBound.
+template <class Find>
+void findTurning(const BoundedFacing& facing, std::size_t first, std::size_t end, const Find& find)
+{
+  for (std::size_t e = first; e < end;) {
+    const std::size_t next = std::min(end, e + kEdgesPerBound);
+    if (facing.side(e / kEdgesPerBound) == BoundedFacing::Side::kBoth)
+      for (; e < next; ++e)
+        find(e);
+    e = next;
+  }
+}
+
 class ContourFinder {
  public:
   ContourFinder(const MeshView& mesh, const EdgeTable& table, const FeatureArrays& arrays,
-                const Camera& camera, const Mat4d& modelToWorld, bool isSmooth)
+                const FacingBounds& bounds, const Camera& camera, const Mat4d& modelToWorld,
+                bool isSmooth)
       : mesh_(mesh),
         table_(table),
         arrays_(arrays),
         isSmooth_(isSmooth),
         facing_(mesh, camera, modelToWorld),
-        isParallel_(camera.parallel),
-        eye_(eyeOf(camera.worldToView * modelToWorld, camera.parallel))
+        bounds_(bounds, camera, modelToWorld),
+        eye_(camera, modelToWorld)
   {
-  }
-
-  void findFronts(int threads)
-  {
-    front_.resize(arrays_.vertexNormals.size());
-    sidesOfPlace_ = std::vector<std::atomic<std::uint8_t>>(table_.place.size());
-    parallelForStretches(threads, front_.size(), kPerTask,
-                         [&](std::size_t, std::size_t first, std::size_t end) {
-                           for (std::size_t i = first; i < end; ++i) {
-                             const std::uint32_t vertex = arrays_.normalOfCorner.empty()
-                                                              ? static_cast<std::uint32_t>(i)
-                                                              : arrays_.vertexOfNormal[i];
-                             if (vertex >= mesh_.vertexCount()) continue;
-                             const Vec3d n = vec3Cast<double>(arrays_.vertexNormals[i]);
-                             front_[i] = slope(mesh_.position(vertex), n) >= 0 ? 1 : 0;
-                             // Most places have one normal, and a write that others wait for only
-                             // once.
-                             const auto side = static_cast<std::uint8_t>(1 + front_[i]);
-                             std::atomic<std::uint8_t>& sides = sidesOfPlace_[table_.place[vertex]];
-                             if ((sides.load(std::memory_order_relaxed) & side) == 0)
-                               sides.fetch_or(side, std::memory_order_relaxed);
-                           }
-                         });
   }
 
   /// Of the edges [first, end).
   void add(std::size_t first, std::size_t end, EdgeContours& found) const
   {
     PendingPoints pending;
-    for (std::size_t e = first; e < end; ++e) {
-      const MeshEdge& edge = table_.edges[e];
-      const std::uint8_t a = sidesOfPlace_[edge.vertex[0]].load(std::memory_order_relaxed);
-      const std::uint8_t b = sidesOfPlace_[edge.vertex[1]].load(std::memory_order_relaxed);
-      // All of its normals on one side: nothing crosses.
-      if (a != b || a == (kFrontPlace | kBackPlace)) add(edge, pending, found);
-    }
+    Fronts fronts;
+    findTurning(bounds_, first, end,
+                [&](std::size_t e) { add(table_.edges[e], fronts, pending, found); });
     settle(pending, found);
   }
 
@@ -121,11 +111,10 @@ class ContourFinder {
   }
 
  private:
-  static constexpr std::uint8_t kBackPlace = 1, kFrontPlace = 2;
-
-  void add(const MeshEdge& edge, PendingPoints& pending, EdgeContours& found) const
+  void add(const MeshEdge& edge, Fronts& fronts, PendingPoints& pending, EdgeContours& found) const
   {
-    const EdgeSide sides[2] = {side(edge, 0), edge.isShared() ? side(edge, 1) : side(edge, 0)};
+    EdgeSide sides[2] = {side(edge, 0, fronts), {}};
+    sides[1] = edge.isShared() ? side(edge, 1, fronts) : sides[0];
     if (sides[0].isFront[0] == sides[0].isFront[1] && sides[0].isFront[0] == sides[1].isFront[0] &&
         sides[0].isFront[0] == sides[1].isFront[1])
       return;
@@ -152,7 +141,7 @@ class ContourFinder {
   }
   void settle(PendingPoints& pending, EdgeContours& found) const
   {
-    findCrossings(eye_, isParallel_, pending.batch);
+    findCrossings(eye_.place, eye_.isParallel, pending.batch);
     for (std::size_t i = 0; i < pending.batch.count; ++i)
       found.points[pending.point[i]] = pending.batch.place(i);
     pending.batch.count = 0;
@@ -174,27 +163,10 @@ class ContourFinder {
     return normalized(vec3Cast<double>(arrays_.vertexNormals[normal]));
   }
   Vec3d normal(const EdgeSide& side, int end) const { return unit(normalNumber(side.corner[end])); }
-  /// In the model's own space, where the normals are: the eye, or the direction to it.
-  static Vec3d eyeOf(const Mat4d& toView, bool isParallel)
-  {
-    const Mat4d cofactor = cofactor3(toView);
-    const double scale = 1.0 / determinant3(toView);
-    const Vec3d inView =
-        isParallel ? Vec3d{0, 0, 1} : Vec3d{-toView.m[0][3], -toView.m[1][3], -toView.m[2][3]};
-    const auto column = [&](int c) {
-      return ((cofactor.m[0][c] * inView.x + cofactor.m[1][c] * inView.y) +
-              cofactor.m[2][c] * inView.z) *
-             scale;
-    };
-    return {column(0), column(1), column(2)};
-  }
   /// n.v times lengths, above 0 in front.
-  double slope(Vec3d position, Vec3d normal) const
-  {
-    return dot(normal, isParallel_ ? eye_ : eye_ - position);
-  }
+  double slope(Vec3d position, Vec3d normal) const { return dot(normal, eye_.toward(position)); }
 
-  EdgeSide side(const MeshEdge& edge, int face) const
+  EdgeSide side(const MeshEdge& edge, int face, Fronts& fronts) const
   {
     const std::uint32_t corner = edge.corner[face];
     const std::uint32_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
@@ -203,7 +175,10 @@ class ContourFinder {
     result.corner[0] = isForward ? corner : next;
     result.corner[1] = isForward ? next : corner;
     for (int end = 0; end < 2; ++end)
-      result.isFront[end] = front_[normalNumber(result.corner[end])] != 0;
+      result.isFront[end] = fronts.at(normalNumber(result.corner[end]), [&](std::uint32_t number) {
+        return slope(mesh_.position(edge.vertex[end]),
+                     vec3Cast<double>(arrays_.vertexNormals[number])) >= 0;
+      });
     return result;
   }
 
@@ -275,10 +250,8 @@ class ContourFinder {
   const FeatureArrays& arrays_;
   bool isSmooth_;
   Facing facing_;
-  bool isParallel_;
-  Vec3d eye_;
-  std::vector<std::uint8_t> front_;                      ///< by normal
-  std::vector<std::atomic<std::uint8_t>> sidesOfPlace_;  ///< kFrontPlace and kBackPlace
+  BoundedFacing bounds_;
+  ModelEye eye_;
 };
 
 /// Puts what the edges found together.
@@ -355,10 +328,9 @@ class ContourAssembler {
   std::vector<LineLink> links_;
 };
 
-ContourLines findContours(ContourFinder finder, const MeshView& mesh, const EdgeTable& table,
+ContourLines findContours(const ContourFinder& finder, const MeshView& mesh, const EdgeTable& table,
                           std::uint8_t flag, int threads)
 {
-  finder.findFronts(threads);
   std::vector<EdgeContours> found(stretchCount(table.edges.size(), kPerTask));
   parallelForStretches(threads, table.edges.size(), kPerTask,
                        [&](std::size_t task, std::size_t first, std::size_t end) {
@@ -372,54 +344,49 @@ ContourLines findContours(ContourFinder finder, const MeshView& mesh, const Edge
 
 }  // namespace
 
-EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const Camera& camera,
-                           const Mat4d& modelToWorld, int threads)
+EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const FacingBounds& bounds,
+                           const Camera& camera, const Mat4d& modelToWorld, int threads)
 {
   const Facing facing(mesh, camera, modelToWorld);
-  std::vector<Vec3d> inView(mesh.vertexCount());
-  parallelForStretches(threads, inView.size(), kPerTask,
-                       [&](std::size_t, std::size_t first, std::size_t end) {
-                         for (std::size_t v = first; v < end; ++v)
-                           inView[v] = facing.inView(static_cast<std::uint32_t>(v));
-                       });
-  std::vector<std::uint8_t> isFront(mesh.triangles.size());
-  parallelForStretches(threads, isFront.size(), kPerTask,
-                       [&](std::size_t, std::size_t first, std::size_t end) {
-                         for (std::size_t t = first; t < end; ++t) {
-                           const auto [a, b, c] = mesh.triangles[t].vertex;
-                           if (a < inView.size() && b < inView.size() && c < inView.size())
-                             isFront[t] = facing.isFront(inView[a], inView[b], inView[c]) ? 1 : 0;
-                         }
-                       });
-  std::vector<std::uint8_t> isChosen(table.edges.size(), 0);
+  const BoundedFacing bounded(bounds, camera, modelToWorld);
+  std::vector<std::vector<std::uint32_t>> found(stretchCount(table.edges.size(), kPerTask));
   parallelForStretches(
-      threads, table.edges.size(), kPerTask, [&](std::size_t, std::size_t first, std::size_t end) {
-        for (std::size_t e = first; e < end; ++e) {
+      threads, table.edges.size(), kPerTask,
+      [&](std::size_t task, std::size_t first, std::size_t end) {
+        RecentValues<bool> fronts;
+        const auto isFront = [&](std::uint32_t corner) {
+          return fronts.at(corner / 3, [&](std::uint32_t face) { return facing.isFront(face); });
+        };
+        findTurning(bounded, first, end, [&](std::size_t e) {
           const MeshEdge& edge = table.edges[e];
-          if (!edge.isShared()) continue;
-          const bool isTurned = isFront[edge.corner[0] / 3] != isFront[edge.corner[1] / 3];
-          isChosen[e] = isTurned == (table.woundAlike[e] != 0);
-        }
+          if (!edge.isShared()) return;
+          const bool isTurned = isFront(edge.corner[0]) != isFront(edge.corner[1]);
+          if (isTurned == (table.woundAlike[e] != 0))
+            found[task].push_back(static_cast<std::uint32_t>(e));
+        });
       });
-  EdgeChains chains = chainEdges(table, isChosen, 1);
+  std::vector<std::uint32_t> chosen;
+  for (const auto& some : found)
+    chosen.insert(chosen.end(), some.begin(), some.end());
+  EdgeChains chains = chainEdges(table, chosen);
   chains.chains.flags.assign(chains.edge.size(), kOuterLine);
   return chains;
 }
 
 ContourLines smoothContours(const MeshView& mesh, const EdgeTable& table,
-                            const FeatureArrays& arrays, const Camera& camera,
-                            const Mat4d& modelToWorld, int threads)
+                            const FeatureArrays& arrays, const FacingBounds& bounds,
+                            const Camera& camera, const Mat4d& modelToWorld, int threads)
 {
-  return findContours(ContourFinder(mesh, table, arrays, camera, modelToWorld, true), mesh, table,
-                      kOuterLine, threads);
+  return findContours(ContourFinder(mesh, table, arrays, bounds, camera, modelToWorld, true), mesh,
+                      table, kOuterLine, threads);
 }
 
 ContourLines facetContours(const MeshView& mesh, const EdgeTable& table,
-                           const FeatureArrays& arrays, const Camera& camera,
-                           const Mat4d& modelToWorld, int threads)
+                           const FeatureArrays& arrays, const FacingBounds& bounds,
+                           const Camera& camera, const Mat4d& modelToWorld, int threads)
 {
-  return findContours(ContourFinder(mesh, table, arrays, camera, modelToWorld, false), mesh, table,
-                      0, threads);
+  return findContours(ContourFinder(mesh, table, arrays, bounds, camera, modelToWorld, false), mesh,
+                      table, 0, threads);
 }
 
 }  // namespace limn

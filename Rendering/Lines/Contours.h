@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Rendering/Lines/ChainEdges.h"
+#include "Rendering/Lines/FacingBounds.h"
 
 #include <vector>
 
@@ -10,9 +11,10 @@
 namespace limn {
 
 /// Edges of which one face is seen from its front and the other from its back, however they are
-/// wound; closed meshes have closed chains. Borders are none. All are kOuterLine.
-EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const Camera& camera,
-                           const Mat4d& modelToWorld, int threads);
+/// wound; closed meshes have closed chains. Borders are none. All are kOuterLine. `bounds`: none,
+/// or those of boundFaces(), which change nothing but the time that it takes.
+EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const FacingBounds& bounds,
+                           const Camera& camera, const Mat4d& modelToWorld, int threads);
 
 /// Lines through points of their own.
 struct ContourLines {
@@ -32,15 +34,16 @@ struct ContourLines {
 /// Q, and n the quadratic with the middle N_P + N_Q mirrored at the plane across e (Vlachos et al.
 /// 2001). Where the two sides of an edge have other normals the contour follows the edge. Closed
 /// meshes have closed chains: at n.v = 0 a vertex counts as front. All segments are kOuterLine.
+/// `bounds`: none, or those of boundNormals(), as above.
 /// Requires: vertex normals for all vertices or corners. The same on any number of threads.
 ContourLines smoothContours(const MeshView& mesh, const EdgeTable& table,
-                            const FeatureArrays& arrays, const Camera& camera,
-                            const Mat4d& modelToWorld, int threads);
+                            const FeatureArrays& arrays, const FacingBounds& bounds,
+                            const Camera& camera, const Mat4d& modelToWorld, int threads);
 
 /// The same in the facets themselves, n and b linear along an edge, as Phong's shading has them.
 /// Not kOuterLine, and without slack.
 ContourLines facetContours(const MeshView& mesh, const EdgeTable& table,
-                           const FeatureArrays& arrays, const Camera& camera,
-                           const Mat4d& modelToWorld, int threads);
+                           const FeatureArrays& arrays, const FacingBounds& bounds,
+                           const Camera& camera, const Mat4d& modelToWorld, int threads);
 
 }  // namespace limn

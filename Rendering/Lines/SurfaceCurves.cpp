@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/SurfaceCurves.h"
 
-#include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Base/ParallelStretches.h"
+#include "Rendering/Lines/RecentValues.h"
+#include "Rendering/Mesh/LocalPosition.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,8 +56,8 @@ ContourLines linked(const std::vector<std::vector<EdgeCrossing>>& found)
   return lines;
 }
 
-/// Crossings on the edges of triangles of which all vertices are chosen. `find(a, b, t)` for the
-/// two vertices of an edge.
+/// Crossings on the edges of triangles of which all vertices are chosen. `find(first, end, found)`
+/// of the edges [first, end) calls found(edge, t) for those that are crossed.
 template <class Choose, class Find>
 ContourLines crossedEdges(const CurvedSurface& surface, const EdgeTable& table, int threads,
                           const Choose& isChosen, const Find& find)
@@ -71,19 +72,15 @@ ContourLines crossedEdges(const CurvedSurface& surface, const EdgeTable& table, 
   parallelForStretches(
       threads, table.edges.size(), kPerTask,
       [&](std::size_t task, std::size_t first, std::size_t end) {
-        for (std::size_t e = first; e < end; ++e) {
-          const MeshEdge& edge = table.edges[e];
-          if (!isChosen(edge.vertex[0]) || !isChosen(edge.vertex[1])) continue;
-          double t;
-          if (!find(edge.vertex[0], edge.vertex[1], t)) continue;
+        find(first, end, [&](const MeshEdge& edge, double t) {
           EdgeCrossing crossing = {{kNoCorner, kNoCorner}, {}};
           for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
             if (isWhole(edge.corner[f] / 3)) crossing.triangle[f] = edge.corner[f] / 3;
-          if (crossing.triangle[0] == kNoCorner && crossing.triangle[1] == kNoCorner) continue;
+          if (crossing.triangle[0] == kNoCorner && crossing.triangle[1] == kNoCorner) return;
           const Vec3d a = mesh.position(edge.vertex[0]);
           crossing.point = a + (mesh.position(edge.vertex[1]) - a) * t;
           found[task].push_back(crossing);
-        }
+        });
       });
   return linked(found);
 }
@@ -109,16 +106,47 @@ RadialCurvature radialAt(const VertexCurvature& c, Vec3d n, Vec3d v)
   return {k1 * u2 + k2 * w2, cubic / sum - 2 * facing * torsion * torsion, facing};
 }
 
-}  // namespace
+/// What a camera sees of a surface's curvature.
+class RadialField {
+ public:
+  RadialField(const CurvedSurface& surface, const Camera& camera, const Mat4d& modelToWorld)
+      : surface_(surface),
+        toView_(camera.worldToView * modelToWorld),
+        cofactor_(cofactor3(toView_)),
+        perDeterminant_(1.0 / determinant3(toView_)),
+        isParallel_(camera.parallel)
+  {
+  }
 
-double featureSize(const MeshView& mesh)
-{
-  const Box box = finiteBox(mesh);
-  if (box.empty()) return 1;
-  const Vec3d diagonal = box.high - box.low;
-  const double size = 0.025 * std::sqrt(dot(diagonal, diagonal));
-  return size > 0 ? size : 1;
-}
+  bool isFront(std::uint32_t vertex) const { return dot(normal(vertex), toEye(vertex)) > 0; }
+  /// Where the vertex is seen from behind, `facing` is not above 0, and the rest is 0.
+  RadialCurvature at(std::uint32_t vertex) const
+  {
+    const Vec3d n = normal(vertex), v = toEye(vertex);
+    if (!(dot(n, v) > 0)) return {0, 0, 0};
+    return radialAt(surface_.curvature[vertex], n, normalized(v));
+  }
+
+ private:
+  Vec3d normal(std::uint32_t vertex) const { return vec3Cast<double>(surface_.normals[vertex]); }
+  /// In the model's own space, where curvature is known.
+  Vec3d toEye(std::uint32_t vertex) const
+  {
+    const Vec3d d =
+        isParallel_ ? Vec3d{0, 0, 1} : -transformPoint(toView_, surface_.mesh.position(vertex));
+    const auto column = [&](int c) {
+      return (cofactor_.m[0][c] * d.x + cofactor_.m[1][c] * d.y) + cofactor_.m[2][c] * d.z;
+    };
+    return Vec3d{column(0), column(1), column(2)} * perDeterminant_;
+  }
+
+  const CurvedSurface& surface_;
+  Mat4d toView_, cofactor_;
+  double perDeterminant_;
+  bool isParallel_;
+};
+
+}  // namespace
 
 ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, ExtremeKind kind,
                           const CurveThresholds& thresholds, int threads)
@@ -140,60 +168,61 @@ ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, 
     const double along = std::max(std::fabs(dot(change, edge)), kLeastCosine * most);
     return squared * (size * size) >= 2 * kLeastFall * curvature * along;
   };
-  return crossedEdges(
-      surface, table, threads, isChosen, [&](std::uint32_t a, std::uint32_t b, double& t) {
-        const Vec3d atA = toMore(a), atB = toMore(b);
-        const Vec3d e = surface.mesh.position(b) - surface.mesh.position(a);
-        const double lengthA = std::sqrt(dot(atA, atA)), lengthB = std::sqrt(dot(atB, atB));
-        if (!(dot(atA, atB) <= 0) || !(lengthA + lengthB > 0)) return false;
-        if (!(dot(atA, e) >= 0) && !(dot(atB, e) <= 0)) return false;
-        if (!isCrest(atA - atB, e, 0.5 * (bend(a) + bend(b)))) return false;
-        t = lengthA / (lengthA + lengthB);
-        return true;
-      });
+  const auto crossing = [&](std::uint32_t a, std::uint32_t b, double& t) {
+    const Vec3d atA = toMore(a), atB = toMore(b);
+    const Vec3d e = surface.mesh.position(b) - surface.mesh.position(a);
+    const double lengthA = std::sqrt(dot(atA, atA)), lengthB = std::sqrt(dot(atB, atB));
+    if (!(dot(atA, atB) <= 0) || !(lengthA + lengthB > 0)) return false;
+    if (!(dot(atA, e) >= 0) && !(dot(atB, e) <= 0)) return false;
+    if (!isCrest(atA - atB, e, 0.5 * (bend(a) + bend(b)))) return false;
+    t = lengthA / (lengthA + lengthB);
+    return true;
+  };
+  return crossedEdges(surface, table, threads, isChosen,
+                      [&](std::size_t first, std::size_t end, const auto& found) {
+                        for (std::size_t e = first; e < end; ++e) {
+                          const MeshEdge& edge = table.edges[e];
+                          const std::uint32_t a = edge.vertex[0], b = edge.vertex[1];
+                          double t;
+                          if (isChosen(a) && isChosen(b) && crossing(a, b, t)) found(edge, t);
+                        }
+                      });
 }
 
 ContourLines suggestiveContours(const CurvedSurface& surface, const EdgeTable& table,
-                                const Camera& camera, const Mat4d& modelToWorld,
-                                const CurveThresholds& thresholds, int threads)
+                                const CurveBounds& bounds, const Camera& camera,
+                                const Mat4d& modelToWorld, const CurveThresholds& thresholds,
+                                int threads)
 {
-  // The view in the model's own space, where curvature is known.
-  const Mat4d toView = camera.worldToView * modelToWorld;
-  const Mat4d cofactor = cofactor3(toView);
-  const double determinant = determinant3(toView);
-  const auto toModel = [&](Vec3d d) {
-    const auto column = [&](int c) {
-      return (cofactor.m[0][c] * d.x + cofactor.m[1][c] * d.y) + cofactor.m[2][c] * d.z;
-    };
-    return Vec3d{column(0), column(1), column(2)} * (1.0 / determinant);
-  };
-  const std::size_t count = surface.mesh.vertexCount();
-  std::vector<RadialCurvature> radial(count);
-  enum Side : std::uint8_t { kBehind, kBentAway, kBentTowards };
-  std::vector<Side> side(count, kBehind);
-  parallelForStretches(threads, count, kPerTask,
-                       [&](std::size_t, std::size_t first, std::size_t end) {
-                         for (std::size_t v = first; v < end; ++v) {
-                           const Vec3d p = transformPoint(toView, surface.mesh.position(v));
-                           const Vec3d n = vec3Cast<double>(surface.normals[v]);
-                           const Vec3d toEye = toModel(camera.parallel ? Vec3d{0, 0, 1} : -p);
-                           if (!(dot(n, toEye) > 0)) continue;
-                           radial[v] = radialAt(surface.curvature[v], n, normalized(toEye));
-                           side[v] = radial[v].radial >= 0 ? kBentTowards : kBentAway;
-                         }
-                       });
-  const double size = featureSize(surface.mesh);
+  const RadialField field(surface, camera, modelToWorld);
+  const BoundedCurves bounded(bounds, camera, modelToWorld);
+  const double size = bounds.boxes.empty() ? featureSize(surface.mesh) : bounds.featureSize;
   const double least = thresholds.suggestive / (size * size);
-  const auto isChosen = [&](std::uint32_t v) { return side[v] != kBehind; };
-  return crossedEdges(surface, table, threads, isChosen,
-                      [&](std::uint32_t a, std::uint32_t b, double& t) {
-                        if (side[a] == side[b]) return false;
-                        const RadialCurvature &atA = radial[a], &atB = radial[b];
-                        t = atA.radial / (atA.radial - atB.radial);
-                        const double slope = atA.slope + t * (atB.slope - atA.slope);
-                        const double facing = atA.facing + t * (atB.facing - atA.facing);
-                        return slope > least * facing;
-                      });
+  const auto crossing = [&](const RadialCurvature& a, const RadialCurvature& b, double& t) {
+    if ((a.radial >= 0) == (b.radial >= 0)) return false;
+    t = a.radial / (a.radial - b.radial);
+    return a.slope + t * (b.slope - a.slope) > least * (a.facing + t * (b.facing - a.facing));
+  };
+  return crossedEdges(
+      surface, table, threads, [&](std::uint32_t v) { return field.isFront(v); },
+      [&](std::size_t first, std::size_t end, const auto& found) {
+        RecentValues<RadialCurvature> recent;
+        const auto at = [&](std::uint32_t v) {
+          return recent.at(v, [&](std::uint32_t vertex) { return field.at(vertex); });
+        };
+        for (std::size_t e = first; e < end; ++e) {
+          if (e % kEdgesPerBound == 0 && bounded.hasNone(e / kEdgesPerBound)) {
+            e += kEdgesPerBound - 1;
+            continue;
+          }
+          const MeshEdge& edge = table.edges[e];
+          const RadialCurvature a = at(edge.vertex[0]);
+          if (!(a.facing > 0)) continue;
+          const RadialCurvature b = at(edge.vertex[1]);
+          double t;
+          if (b.facing > 0 && crossing(a, b, t)) found(edge, t);
+        }
+      });
 }
 
 }  // namespace limn

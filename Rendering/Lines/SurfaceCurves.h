@@ -3,21 +3,10 @@
 #pragma once
 
 #include "Rendering/Lines/Contours.h"
-#include "Rendering/Mesh/Curvature.h"
+#include "Rendering/Lines/CurveBounds.h"
 
 /// Lines inside of smooth surfaces, found from their curvature: one segment a triangle.
 namespace limn {
-
-/// A smooth surface: unit normals, one per vertex, and its vertexCurvature().
-struct CurvedSurface {
-  MeshView mesh;
-  Span<const Vec3f> normals;
-  Span<const VertexCurvature> curvature;
-};
-
-/// The length s by which thresholds are told, so that they do not depend on the unit of length: a
-/// twentieth of half the diagonal of the mesh's box.
-double featureSize(const MeshView& mesh);
 
 struct CurveThresholds {
   double ridge = 0.1;        ///< ridges and valleys bend more than this over s
@@ -35,9 +24,11 @@ ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, 
 
 /// Where the surface would have a contour from a view nearby (DeCarlo et al. 2003): the curvature
 /// k_r along the view, projected into the surface, is 0 and grows towards the viewer. None where
-/// both curvatures have one sign.
+/// both curvatures have one sign. `bounds`: none, or those of boundCurves(), which change nothing
+/// but the time that it takes.
 ContourLines suggestiveContours(const CurvedSurface& surface, const EdgeTable& table,
-                                const Camera& camera, const Mat4d& modelToWorld,
-                                const CurveThresholds& thresholds, int threads);
+                                const CurveBounds& bounds, const Camera& camera,
+                                const Mat4d& modelToWorld, const CurveThresholds& thresholds,
+                                int threads);
 
 }  // namespace limn

@@ -59,10 +59,11 @@ ContourLines insideCone(const ContourLines& lines, const LightRays& light,
 }  // namespace
 
 ContourLines terminatorLines(const MeshView& mesh, const EdgeTable& table,
-                             const FeatureArrays& arrays, const LightRays& light,
-                             const Mat4d& modelToWorld, int threads)
+                             const FeatureArrays& arrays, const FacingBounds& bounds,
+                             const LightRays& light, const Mat4d& modelToWorld, int threads)
 {
-  ContourLines lines = facetContours(mesh, table, arrays, cameraOf(light), modelToWorld, threads);
+  ContourLines lines =
+      facetContours(mesh, table, arrays, bounds, cameraOf(light), modelToWorld, threads);
   return light.isCone ? insideCone(lines, light, modelToWorld) : lines;
 }
 

@@ -11,9 +11,9 @@ namespace limn {
 /// in the place of the eye, so that it is where Phong's shading of these normals turns dark. Where
 /// the two sides of an edge have other normals it follows edges that are lit on one side only. Of a
 /// spot inside of its cone. Does not ask whether something else is before the light. Changes with
-/// mesh and light, not with the camera.
+/// mesh and light, not with the camera. `bounds`: none, or those of boundNormals().
 ContourLines terminatorLines(const MeshView& mesh, const EdgeTable& table,
-                             const FeatureArrays& arrays, const LightRays& light,
-                             const Mat4d& modelToWorld, int threads);
+                             const FeatureArrays& arrays, const FacingBounds& bounds,
+                             const LightRays& light, const Mat4d& modelToWorld, int threads);
 
 }  // namespace limn

@@ -61,8 +61,6 @@ struct FeatureArrays {
   Span<const std::uint32_t> ids;    ///< by cell: parts, materials
   Span<const Vec3f> vertexNormals;  ///< by vertex, or by normalOfCorner
   Span<const std::uint32_t> normalOfCorner;  ///< as in Attributes
-  /// The only vertex of each normal, if they are by normalOfCorner; contours need it then.
-  Span<const std::uint32_t> vertexOfNormal;
 };
 
 /// Kinds of each edge. The angle between normals does not depend on how faces are wound; faces

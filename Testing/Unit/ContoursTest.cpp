@@ -33,11 +33,11 @@ struct Model {
   }
   ContourLines smooth(const Stage& stage, const Mat4d& place = Mat4d::identity()) const
   {
-    return smoothContours(mesh, table, arrays, stage.camera(), place, 2);
+    return smoothContours(mesh, table, arrays, {}, stage.camera(), place, 2);
   }
   EdgeChains edges(const Stage& stage) const
   {
-    return silhouetteEdges(mesh, table, stage.camera(), Mat4d::identity(), 2);
+    return silhouetteEdges(mesh, table, {}, stage.camera(), Mat4d::identity(), 2);
   }
 };
 
@@ -209,9 +209,7 @@ TEST(Contours, FollowHardEdgesWhereOneSideIsSeen)
   SplitNormals split;
   ASSERT_TRUE(splitVertexNormals(cube.view(), cube.cells, NormalWeight::kArea, 30, 2, split).ok());
   Model model(cube.view(), split.normals);
-  const std::vector<std::uint32_t> vertices = verticesOfNormals(cube.view(), split);
   model.arrays.normalOfCorner = split.ofCorner;
-  model.arrays.vertexOfNormal = vertices;
   const Stage stage = stageOf(testing::perspectiveView({3, 2, 4}, {0, 0, 0}, 40));
   const ContourLines contours = model.smooth(stage);
   ASSERT_EQ(contours.chains.first.size(), 2u);

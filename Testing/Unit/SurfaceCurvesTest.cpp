@@ -36,7 +36,7 @@ struct Curved {
   }
   ContourLines suggestive(const Stage& stage) const
   {
-    return suggestiveContours(surface(), table, stage.camera(), Mat4d::identity(), {}, 2);
+    return suggestiveContours(surface(), table, {}, stage.camera(), Mat4d::identity(), {}, 2);
   }
 };
 

@@ -41,7 +41,7 @@ struct Model {
   }
   ContourLines terminator(const LightRays& light, const Mat4d& place = Mat4d::identity()) const
   {
-    return terminatorLines(mesh, table, arrays, light, place, 2);
+    return terminatorLines(mesh, table, arrays, {}, light, place, 2);
   }
 };
 
@@ -155,9 +155,7 @@ TEST(Terminator, FollowsHardEdgesThatAreLitOnOneSide)
   SplitNormals split;
   ASSERT_TRUE(splitVertexNormals(cube.view(), cube.cells, NormalWeight::kArea, 30, 2, split).ok());
   Model model(cube.view(), split.normals);
-  const std::vector<std::uint32_t> vertices = verticesOfNormals(cube.view(), split);
   model.arrays.normalOfCorner = split.ofCorner;
-  model.arrays.vertexOfNormal = vertices;
   const ContourLines lines = model.terminator(directional({-3, -2, -4}));
   EXPECT_EQ(closedChains(lines.chains), 1u);
   EXPECT_NEAR(length(lines), 12, 1e-12) << "the hexagon of six edges";

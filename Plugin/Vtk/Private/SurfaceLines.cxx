@@ -166,6 +166,7 @@ Status SurfaceLines::update(vtkIdType geometry, const Instance& instance, int th
   features_.reset();
   normalsDegrees_ = -1;
   weldedTriangles_.clear();
+  faceBounds_ = {};
   curvature_.clear();
   ridges_.reset();
   valleys_.reset();
@@ -255,6 +256,7 @@ void SurfaceLines::updateCurvature(
     smoothNormals_ = limn::vertexNormals(mesh, NormalWeight::kArea);
   }
   curvature_ = vertexCurvature(mesh, smoothNormals_, threads);
+  curveBounds_ = {};
 }
 
 CurvedSurface SurfaceLines::curved(const MeshView& mesh) const
@@ -274,9 +276,18 @@ Status SurfaceLines::updateNormals(double creaseDegrees, const Instance& instanc
   normalsDegrees_ = status.ok() ? creaseDegrees : -1;
   if (status.ok())
   {
-    vertexOfNormal_ = verticesOfNormals(this->weldedMesh(instance.mesh), normals_);
+    normalBounds_ =
+      boundNormals(this->weldedMesh(instance.mesh), table_, this->contourArrays(), threads);
   }
   return status;
+}
+
+FeatureArrays SurfaceLines::contourArrays() const
+{
+  FeatureArrays arrays;
+  arrays.vertexNormals = normals_.normals;
+  arrays.normalOfCorner = normals_.ofCorner;
+  return arrays;
 }
 
 void SurfaceLines::addFeatures(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
@@ -311,13 +322,9 @@ Status SurfaceLines::addContours(
   {
     return status;
   }
-  FeatureArrays arrays;
-  arrays.vertexNormals = normals_.normals;
-  arrays.normalOfCorner = normals_.ofCorner;
-  arrays.vertexOfNormal = vertexOfNormal_;
   frame.contours.push_back(
     std::make_shared<const ContourLines>(smoothContours(this->weldedMesh(instance.mesh), table_,
-      arrays, view.camera, instance.modelToWorld, view.threads)));
+      this->contourArrays(), normalBounds_, view.camera, instance.modelToWorld, view.threads)));
   return {};
 }
 
@@ -329,10 +336,6 @@ Status SurfaceLines::addTerminators(
   {
     return status;
   }
-  FeatureArrays arrays;
-  arrays.vertexNormals = normals_.normals;
-  arrays.normalOfCorner = normals_.ofCorner;
-  arrays.vertexOfNormal = vertexOfNormal_;
   const bool isOfAll = property->GetLineLights() == vtkLimnProperty::LINE_LIGHTS_ALL;
   const std::size_t count = isOfAll ? view.rays.size() : std::min<std::size_t>(1, view.rays.size());
   std::vector<Terminator> terminators;
@@ -348,8 +351,8 @@ Status SurfaceLines::addTerminators(
     one.lines =
       kept != terminators_.end()
         ? kept->lines
-        : std::make_shared<const ContourLines>(terminatorLines(
-            this->weldedMesh(instance.mesh), table_, arrays, one.light, one.place, view.threads));
+        : std::make_shared<const ContourLines>(terminatorLines(this->weldedMesh(instance.mesh),
+            table_, this->contourArrays(), normalBounds_, one.light, one.place, view.threads));
     frame.contours.push_back(one.lines);
     terminators.push_back(std::move(one));
   }
@@ -389,8 +392,12 @@ void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const
   }
   if (property->GetSuggestiveLines())
   {
-    frame.contours.push_back(std::make_shared<const ContourLines>(suggestiveContours(
-      surface, table_, view.camera, instance.modelToWorld, thresholds, view.threads)));
+    if (curveBounds_.boxes.empty())
+    {
+      curveBounds_ = boundCurves(surface, table_, view.threads);
+    }
+    frame.contours.push_back(std::make_shared<const ContourLines>(suggestiveContours(surface,
+      table_, curveBounds_, view.camera, instance.modelToWorld, thresholds, view.threads)));
   }
 }
 
@@ -438,8 +445,12 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
   }
   if (property->GetSilhouetteLines())
   {
-    frame.edges.push_back(std::make_shared<const EdgeChains>(
-      silhouetteEdges(instance.mesh, table_, view.camera, instance.modelToWorld, view.threads)));
+    if (faceBounds_.boxes.empty())
+    {
+      faceBounds_ = boundFaces(instance.mesh, table_, view.threads);
+    }
+    frame.edges.push_back(std::make_shared<const EdgeChains>(silhouetteEdges(
+      instance.mesh, table_, faceBounds_, view.camera, instance.modelToWorld, view.threads)));
   }
   if (property->GetContourLines())
   {

@@ -98,6 +98,7 @@ private:
   void weld(const MeshView& mesh);
   void updateCurvature(const NormalsVersion& normals, const Instance& instance, int threads);
   CurvedSurface curved(const MeshView& mesh) const;
+  FeatureArrays contourArrays() const;
   void addFeatures(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
     const Instance& instance, FrameLines& frame);
   Status addContours(
@@ -113,15 +114,17 @@ private:
   vtkIdType geometry_ = -1;
   vtkIdType edgeBuilds_ = 0;
   EdgeTable table_;
+  FacingBounds faceBounds_; ///< empty until silhouettes are asked for
   Choice choice_;
   std::shared_ptr<const EdgeChains> features_;
   std::vector<Triangle> weldedTriangles_;
   double normalsDegrees_ = -1;
   SplitNormals normals_; ///< of the welded mesh, split where lines are creases
-  std::vector<std::uint32_t> vertexOfNormal_;
+  FacingBounds normalBounds_;
   std::vector<Vec3f> smoothNormals_;
   NormalsVersion curvedNormals_;
   std::vector<VertexCurvature> curvature_;
+  CurveBounds curveBounds_; ///< of it; empty until suggestive contours are asked for
   std::shared_ptr<const ContourLines> ridges_, valleys_;
   double ridgeThreshold_ = -1; ///< of these
   /// Of one light, as the mesh is placed.

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Mesh/EdgeTable.h"
+#include "Rendering/Scene.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace limn {
+
+/// So many edges in a row of an EdgeTable are bounded together.
+inline constexpr std::size_t kEdgesPerBound = 16;
+
+/// Box about planes {n, n.(p - center)} with unit normals n through points p.
+struct PlaneBox {
+  float middle[4];
+  float half[4];  ///< infinite: nothing is known
+};
+
+/// Of each kEdgesPerBound edges the planes about them. Whole stretches of a mesh that are seen from
+/// one side, most of it, need no closer look: they have no contour. None, and nothing is left out,
+/// while `boxes` is empty.
+struct FacingBounds {
+  Vec3d center = {0, 0, 0};  ///< of the mesh's box
+  double radius = 0;         ///< about it
+  double reach = 0;          ///< of the mesh from the origin
+  std::vector<PlaneBox> boxes;
+};
+
+/// Planes of the faces at edges that are shared, the second turned over where it is not wound
+/// alike. The same on any number of threads, as are those of boundNormals().
+FacingBounds boundFaces(const MeshView& mesh, const EdgeTable& table, int threads);
+
+/// Planes through the ends of edges, by the vertex normals that the faces there have.
+FacingBounds boundNormals(const MeshView& mesh, const EdgeTable& table, const FeatureArrays& arrays,
+                          int threads);
+
+/// Where a camera looks from, in a model's own space.
+struct ModelEye {
+  Vec3d place;  ///< the eye; or the direction towards it, of any length
+  bool isParallel;
+
+  ModelEye(const Camera& camera, const Mat4d& modelToWorld);
+  Vec3d toward(Vec3d position) const { return isParallel ? place : place - position; }
+};
+
+/// Which bounded planes a camera sees from one side, by more than rounding can be mistaken.
+class BoundedFacing {
+ public:
+  enum class Side { kBoth, kFront, kBack };
+
+  BoundedFacing(const FacingBounds& bounds, const Camera& camera, const Mat4d& modelToWorld);
+
+  Side side(std::size_t box) const
+  {
+    if (boxes_.empty()) return Side::kBoth;
+    double middle = 0, half = margin_;
+    for (int i = 0; i < 4; ++i) {
+      middle += eye_[i] * static_cast<double>(boxes_[box].middle[i]);
+      half += size_[i] * static_cast<double>(boxes_[box].half[i]);
+    }
+    if (middle > half) return Side::kFront;
+    return middle < -half ? Side::kBack : Side::kBoth;
+  }
+
+ private:
+  Span<const PlaneBox> boxes_;
+  double eye_[4], size_[4];  ///< n.(eye - p) is their product with a plane; sizes of the same
+  double margin_;
+};
+
+}  // namespace limn
