@@ -96,43 +96,38 @@ class LayerWriter {
     return nearest;
   }
 
-  /// With one sample a pixel. By local pointers, which no byte that is written may be a part of.
+  /// With one sample a pixel: stretches of fragments whose pixels lie beside each other.
   void writeSingles()
   {
-    const std::uint32_t *const owner = fragments_.owner.data(), *const pixel =
-                                                                    fragments_.pixel.data();
-    const Rgba8* const from = colors_.fragment.data();
-    const float* const depth = tile_.depth[0];
-    std::uint32_t* const instance = layers_.instance.data();
-    float* const depthTo = layers_.depth.data();
-    Rgba8* const to = layers_.color.data();
-    const std::size_t corner = indexOf(0), count = fragments_.count;
-    const auto width = static_cast<std::size_t>(layers_.width);
-    for (std::size_t f = 0; f < count; ++f) {
-      const std::size_t index = corner + pixel[f] / kTileSide * width + pixel[f] % kTileSide;
-      instance[index] = instanceOf(owner[f]);
-      depthTo[index] = depth[pixel[f]];
-      to[index] = from[f];
-    }
-    scatter(colors_.fragmentNormal, layers_.normal);
-    scatter(colors_.fragmentPlane, layers_.plane);
-    for (std::size_t f = 0; colors_.hasRadiance && f < count; ++f)
-      layers_.radiance[indexOf(pixel[f])] = radianceOf(colors_.fragmentRadiance, f);
-  }
-  void scatter(const VectorArrays& from, LayerVectors& to) const
-  {
     const std::uint32_t* const pixel = fragments_.pixel.data();
-    const float *const fromX = from.x.data(), *const fromY = from.y.data(),
-                       *const fromZ = from.z.data();
-    float *const toX = to.x.data(), *const toY = to.y.data(), *const toZ = to.z.data();
-    const std::size_t corner = indexOf(0), count = fragments_.count;
-    const auto width = static_cast<std::size_t>(layers_.width);
-    for (std::size_t f = 0; f < count; ++f) {
-      const std::size_t index = corner + pixel[f] / kTileSide * width + pixel[f] % kTileSide;
-      toX[index] = fromX[f];
-      toY[index] = fromY[f];
-      toZ[index] = fromZ[f];
+    const std::size_t count = fragments_.count;
+    for (std::size_t first = 0; first < count;) {
+      const std::size_t toRowsEnd = kTileSide - pixel[first] % kTileSide;
+      const std::size_t most = std::min(count, first + toRowsEnd);
+      std::size_t end = first + 1;
+      while (end < most && pixel[end] == pixel[end - 1] + 1)
+        ++end;
+      writeStretch(first, end - first);
+      first = end;
     }
+  }
+  void writeStretch(std::size_t first, std::size_t length)
+  {
+    const std::size_t pixel = fragments_.pixel[first], index = indexOf(pixel);
+    std::uint32_t* const instance = layers_.instance.data() + index;
+    std::uint32_t owner = fragments_.owner[first], number = instanceOf(owner);
+    for (std::size_t i = 0; i < length; ++i) {
+      const std::uint32_t next = fragments_.owner[first + i];
+      if (TileOwner::slot(next) != TileOwner::slot(owner)) number = instanceOf(next);
+      owner = next;
+      instance[i] = number;
+    }
+    std::copy_n(tile_.depth[0] + pixel, length, layers_.depth.data() + index);
+    std::copy_n(colors_.fragment.data() + first, length, layers_.color.data() + index);
+    copyVectors(colors_.fragmentNormal, first, length, layers_.normal, index);
+    copyVectors(colors_.fragmentPlane, first, length, layers_.plane, index);
+    for (std::size_t i = 0; colors_.hasRadiance && i < length; ++i)
+      layers_.radiance[index + i] = radianceOf(colors_.fragmentRadiance, first + i);
   }
 
   /// Of a pixel that shows one triangle and nothing else.
