@@ -34,8 +34,17 @@ inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
 /// that the line covers.
 struct ImageOutline {
   /// Steps in fewer pixels that touch each other are specks, and left out; but for those that touch
-  /// a border.
+  /// a border or a crease.
   static constexpr unsigned kSmallestStep = 8;
+  /// Where two surfaces meet in a groove there is no step, though a steep one leaves the other's
+  /// plane by more than depthTolerance within a pixel. Where one ends before another their planes
+  /// may meet between two pixels, too, but then the steeper one bends: it is a groove if the
+  /// steeper's normals differ, to the next pixel away from the other, by no more than one degree:
+  /// 1 - n.n' of that.
+  static constexpr float kFlat = 1.5e-4f;
+  /// Samples of one pixel show two sides of a groove if each is before the other's plane, by no
+  /// more than so many tolerances of a step.
+  static constexpr float kGroove = 4;
 
   OutlineDetector detector = OutlineDetector::kNone;
   float depthTolerance = 3;  ///< of a step, in pixels' widths where it is; >= 0

@@ -72,9 +72,31 @@ bool isAtBorder(const SurfaceLayers& layers, const EdgePoint& edge)
   return false;
 }
 
+/// Whether a crease crosses the way from one of its neighbours, or itself, to the right or upwards.
+bool isAtCrease(const SurfaceLayers& layers, const std::vector<CreaseRow>& crossings,
+                const EdgePoint& edge)
+{
+  const std::uint32_t instance = layers.instance[edge.index];
+  const auto hasNear = [&](const std::vector<CreaseCrossing>& row) {
+    const auto first = std::lower_bound(
+        row.begin(), row.end(), edge.column - 1,
+        [](const CreaseCrossing& crossing, int column) { return crossing.column < column; });
+    for (auto at = first; at != row.end() && at->column <= edge.column + 1; ++at)
+      if (layers.instance[at->index] == instance) return true;
+    return false;
+  };
+  const int y = static_cast<int>(edge.index) / layers.width;
+  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, layers.height - 1); ++row) {
+    const CreaseRow& creases = crossings[static_cast<std::size_t>(row)];
+    if (hasNear(creases.toRight) || hasNear(creases.toAbove)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-void dropSpecks(const SurfaceLayers& layers, std::vector<EdgeRow>& edges)
+void dropSpecks(const SurfaceLayers& layers, const std::vector<CreaseRow>& crossings,
+                std::vector<EdgeRow>& edges)
 {
   std::size_t count = 0;
   for (const EdgeRow& row : edges)
@@ -91,6 +113,14 @@ void dropSpecks(const SurfaceLayers& layers, std::vector<EdgeRow>& edges)
     first += row.size();
   }
   std::size_t number = 0;
+  for (const EdgeRow& row : edges)
+    for (const EdgePoint& edge : row.points) {
+      if (components.sizeAt(number) < ImageOutline::kSmallestStep &&
+          isAtCrease(layers, crossings, edge))
+        components.grow(number, ImageOutline::kSmallestStep);
+      ++number;
+    }
+  number = 0;
   for (EdgeRow& row : edges) {
     const auto isSpeck = [&](const EdgePoint&) {
       return components.sizeAt(number++) < ImageOutline::kSmallestStep;

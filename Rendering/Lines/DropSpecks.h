@@ -9,8 +9,10 @@
 namespace limn {
 
 /// Takes steps away that are seen in fewer than ImageOutline::kSmallestStep pixels that touch each
-/// other, by sides or by corners, and in none that touches what another instance shows, or nothing.
-/// `edges` are all rows'.
-void dropSpecks(const SurfaceLayers& layers, std::vector<EdgeRow>& edges);
+/// other, by sides or by corners, and in none that touches what another instance shows, or nothing,
+/// or a pixel that a crease crosses: there they are parts of its line. `edges` and `crossings` are
+/// all rows'.
+void dropSpecks(const SurfaceLayers& layers, const std::vector<CreaseRow>& crossings,
+                std::vector<EdgeRow>& edges);
 
 }  // namespace limn

@@ -106,7 +106,32 @@ bool EdgeFinder::isStep(const Pixel& first, const Pixel& second) const
 {
   if (settings_[first.instance].detector != OutlineDetector::kPlane)
     return isConvolved(first, second);
-  return PlaneDistances(first.layer, second.layer).areStep(tolerance(first, second));
+  const PlaneDistances distances(first.layer, second.layer);
+  return distances.areStep(tolerance(first, second)) && !isGroove(first, second, distances);
+}
+
+/// Whether two surfaces meet between two pixels, as in a groove, however steep one of them is.
+bool EdgeFinder::isGroove(const Pixel& first, const Pixel& second,
+                          const PlaneDistances& distances) const
+{
+  const auto isFlat = [&](const Pixel& pixel, const Pixel& other) {
+    const int x = 2 * pixel.x - other.x, y = 2 * pixel.y - other.y;
+    if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height) return false;
+    const std::size_t behind = layers_.indexOf(x, y);
+    return layers_.instance[behind] == pixel.instance &&
+           1.0f - dot(layers_.normal[behind], pixel.layer.normal) <= ImageOutline::kFlat;
+  };
+  if (!(distances.ofFirst > 0.0f && distances.ofSecond > 0.0f)) return false;
+  const Vec3f eye = towardEye(first.layer, second.layer);
+  const bool isFirst = dot(first.layer.plane, eye) < dot(second.layer.plane, eye);
+  return isFirst ? isFlat(first, second) : isFlat(second, first);
+}
+
+/// From between them, of some length.
+Vec3f EdgeFinder::towardEye(const SurfaceLayer& first, const SurfaceLayer& second) const
+{
+  return pass_.scene.camera.parallel ? Vec3f{0, 0, 1}
+                                     : -(first.point.position + second.point.position);
 }
 
 /// Of two pixels with an edge between them: which one's line it is.
@@ -202,19 +227,18 @@ void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
   const SurfaceLayer &first = pixel.layer, &second = other.layer;
   if (!(1.0f - dot(first.normal, second.normal) > settings_[pixel.instance].creaseBound)) return;
   if (isStep(pixel, other)) return;
-  const Vec3f towardEye = pass_.scene.camera.parallel
-                              ? Vec3f{0, 0, 1}
-                              : -(first.point.position + second.point.position);
+  const Vec3f eye = towardEye(first, second);
   const PlaneDistances distances(first, second);
   // Along the gaze: how far the first plane is before the second at either pixel.
-  const float atFirst = distances.ofFirst / dot(second.plane, towardEye);
-  const float atSecond = -(distances.ofSecond / dot(first.plane, towardEye));
+  const float atFirst = distances.ofFirst / dot(second.plane, eye);
+  const float atSecond = -(distances.ofSecond / dot(first.plane, eye));
   const float way = atFirst / (atFirst - atSecond);
   const float t = way > 0.0f && way < 1.0f ? way : 0.5f;
   found.push_back({{first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t},
                    pixel.x,
                    static_cast<std::uint32_t>(pixel.index),
-                   first});
+                   first,
+                   second});
 }
 
 void EdgeFinder::look(int x, int y, unsigned marks, EdgeRow& edges, CreaseRow& creases) const
@@ -276,9 +300,9 @@ void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const Crea
         met[count++] = side;
     if (count == 0) continue;
     const std::uint32_t index = met[0]->index;
-    const SurfaceLayer& layer = met[0]->layer;
+    const SurfaceLayer &layer = met[0]->layer, &beyond = met[0]->beyond;
     if (count <= 2) {
-      result.segments.push_back({met[0]->place, met[count - 1]->place, x, index, layer});
+      result.segments.push_back({met[0]->place, met[count - 1]->place, x, index, layer, beyond});
       continue;
     }
     Vec2f middle = {0.0f, 0.0f};
@@ -286,7 +310,7 @@ void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const Crea
       middle = middle + met[i]->place;
     middle = middle * (1.0f / static_cast<float>(count));
     for (int i = 0; i < count; ++i)
-      result.segments.push_back({middle, met[i]->place, x, index, layer});
+      result.segments.push_back({middle, met[i]->place, x, index, layer, beyond});
   }
 }
 

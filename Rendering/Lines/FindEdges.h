@@ -28,14 +28,14 @@ struct EdgeRow {
 struct CreaseCrossing {
   Vec2f place;
   int column;
-  std::uint32_t index;  ///< of the pixel
-  SurfaceLayer layer;   ///< the pixel's
+  std::uint32_t index;         ///< of the pixel
+  SurfaceLayer layer, beyond;  ///< the pixel's and the neighbour's
 };
 struct CreaseSegment {
   Vec2f from, to;  ///< may be one place
   int column;
-  std::uint32_t index;  ///< of a pixel at its side
-  SurfaceLayer layer;   ///< that pixel's
+  std::uint32_t index;         ///< of a pixel at its side
+  SurfaceLayer layer, beyond;  ///< that pixel's and that of one at its other side
 };
 /// Crossings that leave a row of pixels, and segments between it and the row above.
 struct CreaseRow {
@@ -73,6 +73,8 @@ class EdgeFinder {
   float shareOf(const Pixel& pixel, int x, int y) const;
   float depthAt(int x, int y) const;
   bool isStep(const Pixel& first, const Pixel& second) const;
+  bool isGroove(const Pixel& first, const Pixel& second, const PlaneDistances& distances) const;
+  Vec3f towardEye(const SurfaceLayer& first, const SurfaceLayer& second) const;
   bool isConvolved(const Pixel& first, const Pixel& second) const;
   Vec2f sobel(const Pixel& pixel) const;
   float laplacian(const Pixel& pixel) const;

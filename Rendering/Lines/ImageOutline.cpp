@@ -131,7 +131,7 @@ void drawImageOutlines(const OutlinePass& pass)
       finder.find(y, neighbours.marksOf(y), edges[static_cast<std::size_t>(y)],
                   crossings[static_cast<std::size_t>(y)]);
   });
-  dropSpecks(layers, edges);
+  dropSpecks(layers, crossings, edges);
   forEachBand(pass, [&](int first, int end) {
     const int from = first == pass.touched.y0 ? std::max(first - 1, 0) : first;
     for (int y = from; y < std::min(end, layers.height - 1); ++y)

@@ -145,7 +145,8 @@ float LineMeasure::creaseShare(const Pixel& pixel) const
     for (const CreaseSegment* segment = row.segment;
          segment != row.lastSegment && segment->column <= pixel.x + pixel.reach; ++segment) {
       if (segment->column < pixel.x - pixel.reach ||
-          layers_.instance[segment->index] != pixel.instance || !areJoined(pixel, segment->layer))
+          layers_.instance[segment->index] != pixel.instance ||
+          !(areJoined(pixel, segment->layer) || areJoined(pixel, segment->beyond)))
         continue;
       const Vec2f side = segment->to - segment->from, from = segment->from - pixel.centre;
       const float length = dot(side, side);

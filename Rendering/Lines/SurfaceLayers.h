@@ -148,6 +148,12 @@ struct PlaneDistances {
                        ofFirst < -tolerance;
     return isOff && (ofSecond > 0.0f || ofFirst > 0.0f);
   }
+  /// Of two samples of a pixel: ImageOutline::kGroove.
+  bool areGroove(float tolerance) const
+  {
+    const float most = ImageOutline::kGroove * tolerance;
+    return ofSecond > 0.0f && ofSecond <= most && ofFirst > 0.0f && ofFirst <= most;
+  }
 };
 
 }  // namespace limn

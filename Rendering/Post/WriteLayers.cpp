@@ -196,8 +196,9 @@ class LayerWriter {
     other.y = static_cast<float>(rowOf(pixel) * kSubpixels + offset.y) * (1.0f / kSubpixels);
     other.point = layers_.toView->at(other.x, other.y, tile_.depth[sample][pixel]);
     other.plane = vectorOf(colors_.fragmentPlane, f);
-    return !PlaneDistances(layer, other)
-                .areStep(stepTolerance(placed->instance->style, layer.point));
+    const PlaneDistances distances(layer, other);
+    const float tolerance = stepTolerance(placed->instance->style, layer.point);
+    return !distances.areStep(tolerance) || distances.areGroove(tolerance);
   }
 
   void setSample(std::size_t index, Sample nearest)

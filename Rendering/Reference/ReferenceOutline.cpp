@@ -23,7 +23,7 @@ struct Edge {
 
 struct Segment {
   Vec2f a, b;
-  Pixel owner;
+  Pixel owner, beyond;  ///< on its two sides
 };
 
 float dot2(Vec2f a, Vec2f b)
@@ -159,8 +159,27 @@ class Outlines {
         return turns && std::fabs(a - b) > 2.0f * tolerance;
       }
       default:
-        return isStep(layer(p), layer(q), tolerance);
+        return isStep(layer(p), layer(q), tolerance) && !isGroove(p, q);
     }
+  }
+  /// Both are before the other's plane, and the steeper does not bend where it comes to the other.
+  bool isGroove(Pixel p, Pixel q) const
+  {
+    const Vec3f way = layer(q).point.position - layer(p).point.position;
+    if (!(dot(layer(p).plane, way) > 0) || !(dot(layer(q).plane, way * -1.0f) > 0)) return false;
+    const Vec3f eye = betweenAndEye(layer(p), layer(q));
+    if (dot(layer(p).plane, eye) < dot(layer(q).plane, eye))
+      return isFlat(p, {p.x + p.x - q.x, p.y + p.y - q.y});
+    return isFlat(q, {q.x + q.x - p.x, q.y + q.y - p.y});
+  }
+  Vec3f betweenAndEye(const Layer& a, const Layer& b) const
+  {
+    return scene_.camera.parallel ? Vec3f{0, 0, 1} : (a.point.position + b.point.position) * -1.0f;
+  }
+  bool isFlat(Pixel p, Pixel q) const
+  {
+    return isInside(q) && layer(q).instance == layer(p).instance &&
+           1.0f - dot(layer(p).normal, layer(q).normal) <= ImageOutline::kFlat;
   }
 
   /// Which of two pixels an edge between them belongs to.
@@ -238,7 +257,7 @@ class Outlines {
   }
 
   /// Takes away edges that are seen in few pixels, none of which touches another instance's, or
-  /// nobody's, or the frame's border.
+  /// nobody's, or the frame's border, or one from which a crossing leaves.
   void dropSpecks()
   {
     std::vector<bool> isSeen(edges_.size(), false);
@@ -247,22 +266,23 @@ class Outlines {
         if (isSeen[index({x, y})] || !edges_[index({x, y})]) continue;
         std::vector<Pixel> found = {{x, y}};
         isSeen[index({x, y})] = true;
-        bool isAtBorder = false;
+        bool isKept = false;
         for (std::size_t i = 0; i < found.size(); ++i) {
           const Pixel p = found[i];
           for (int dy = -1; dy <= 1; ++dy)
             for (int dx = -1; dx <= 1; ++dx) {
               const Pixel q = {p.x + dx, p.y + dy};
               if (!isInside(q) || layer(q).instance != layer(p).instance) {
-                isAtBorder = true;
+                isKept = true;
                 continue;
               }
+              if (right_[index(q)] || above_[index(q)]) isKept = true;
               if (isSeen[index(q)] || !edges_[index(q)]) continue;
               isSeen[index(q)] = true;
               found.push_back(q);
             }
         }
-        if (isAtBorder || found.size() >= ImageOutline::kSmallestStep) continue;
+        if (isKept || found.size() >= ImageOutline::kSmallestStep) continue;
         for (const Pixel p : found)
           edges_[index(p)].reset();
       }
@@ -277,8 +297,7 @@ class Outlines {
     if (!(1.0f - dot(a.normal, b.normal) > 1.0f - static_cast<float>(cosineOfDegrees(angle))))
       return {};
     if (isEdge(p, q)) return {};
-    const Vec3f eye =
-        scene_.camera.parallel ? Vec3f{0, 0, 1} : (a.point.position + b.point.position) * -1.0f;
+    const Vec3f eye = betweenAndEye(a, b);
     const Vec3f way = b.point.position - a.point.position;
     const float gapAtP = dot(b.plane, way * -1.0f) / dot(b.plane, eye);
     const float gapAtQ = -(dot(a.plane, way) / dot(a.plane, eye));
@@ -292,20 +311,22 @@ class Outlines {
   {
     const Pixel east = {p.x + 1, p.y}, north = {p.x, p.y + 1};
     std::vector<Vec2f> places;
-    std::vector<Pixel> owners;
-    const auto take = [&](const std::optional<Vec2f>& place, Pixel owner) {
+    std::vector<Pixel> owners, beyond;
+    const auto take = [&](const std::optional<Vec2f>& place, Pixel owner, Pixel next) {
       if (!place || (!owners.empty() && layer(owner).instance != layer(owners[0]).instance)) return;
       places.push_back(*place);
       owners.push_back(owner);
+      beyond.push_back(next);
     };
-    take(right_[index(p)], p);
-    take(above_[index(p)], p);
-    if (isInside(east)) take(above_[index(east)], east);
-    take(right_[index(north)], north);
+    const Pixel corner = {p.x + 1, p.y + 1};
+    take(right_[index(p)], p, east);
+    take(above_[index(p)], p, north);
+    if (isInside(east)) take(above_[index(east)], east, corner);
+    take(right_[index(north)], north, corner);
     if (places.empty()) return;
     std::vector<Segment>& segments = segments_[index(p)];
     if (places.size() <= 2) {
-      segments.push_back({places.front(), places.back(), owners[0]});
+      segments.push_back({places.front(), places.back(), owners[0], beyond[0]});
       return;
     }
     Vec2f middle = {0, 0};
@@ -313,7 +334,7 @@ class Outlines {
       middle = middle + place;
     middle = middle * (1.0f / static_cast<float>(places.size()));
     for (const Vec2f place : places)
-      segments.push_back({middle, place, owners[0]});
+      segments.push_back({middle, place, owners[0], beyond[0]});
   }
 
   /// Calls visit(q) for the pixels that may have edges whose line meets p.
@@ -380,7 +401,7 @@ class Outlines {
     Vec2f side = {0, 0};
     around(p, [&](Pixel q) {
       for (const Segment& segment : segments_[index(q)]) {
-        if (!showSame(p, segment.owner)) continue;
+        if (!showSame(p, segment.owner) && !showSame(p, segment.beyond)) continue;
         const Vec2f ab = segment.b - segment.a, a = segment.a - centre(p);
         const float length = dot2(ab, ab);
         const float t = length > 0 ? -(dot2(a, ab) / length) : 0.0f;
@@ -459,6 +480,15 @@ bool isStep(const Layer& p, const Layer& q, float tolerance)
   const float beforeP = dot(p.plane, way), beforeQ = dot(q.plane, way * -1.0f);
   return std::max(std::fabs(beforeP), std::fabs(beforeQ)) > tolerance &&
          std::max(beforeP, beforeQ) > 0;
+}
+
+bool areOneSurface(const Layer& p, const Layer& q, float tolerance)
+{
+  const Vec3f way = q.point.position - p.point.position;
+  const float beforeP = dot(p.plane, way), beforeQ = dot(q.plane, way * -1.0f);
+  const bool meet = std::min(beforeP, beforeQ) > 0;
+  return !isStep(p, q, tolerance) ||
+         (meet && std::max(beforeP, beforeQ) <= ImageOutline::kGroove * tolerance);
 }
 
 float toleranceAt(const Scene& scene, const Layer& p)

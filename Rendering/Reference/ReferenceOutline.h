@@ -29,6 +29,8 @@ struct Layer {
 /// Whether two points lie on different surfaces of one instance: one is off the other's plane by
 /// more than the tolerance, and not behind both.
 bool isStep(const Layer& p, const Layer& q, float tolerance);
+/// Of two samples of a pixel: no step, or the two sides of a groove.
+bool areOneSurface(const Layer& p, const Layer& q, float tolerance);
 /// What of a step at a layer is too little to be one.
 float toleranceAt(const Scene& scene, const Layer& p);
 

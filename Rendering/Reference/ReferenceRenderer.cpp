@@ -602,9 +602,9 @@ class Picture {
       ++covered;
       // By the triangle's first sample in the pixel.
       if (isSame.count(owner) == 0)
-        isSame[owner] = owner == nearest->owner ||
-                        (owner.instance == layer.instance &&
-                         !isStep(layer, layerAt(x, y, s, toView), toleranceAt(scene_, layer)));
+        isSame[owner] = owner == nearest->owner || (owner.instance == layer.instance &&
+                                                    areOneSurface(layer, layerAt(x, y, s, toView),
+                                                                  toleranceAt(scene_, layer)));
       if (!isSame[owner]) {
         if (layer.other == kNobody) layer.other = owner.instance;
         continue;

@@ -291,6 +291,37 @@ TEST_P(ImageOutlines, PutCreasesInTheMiddle)
   }
 }
 
+// A wall that rises by ten pixels within each pixel of the picture leaves the floor's plane by more
+// than a step does.
+TEST_P(ImageOutlines, DrawALineWhereASteepWallStandsOnAFloor)
+{
+  for (const int samples : {1, 8})
+    for (const double degrees : {0.0, 9.0, 40.0}) {
+      const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
+      const Vec3d middle = {32.37, 31.81, 10}, along = {80 * c, 80 * s, 0};
+      const Vec3d aside = {60 * s, -60 * c, 0}, up = {-8 * s, 8 * c, 80};
+      const Vec3d a = middle - along, b = middle + along;
+      const OwnedMesh corner =
+          soup({a, b, b + up, a, b + up, a + up, b, a, a + aside, b, a + aside, b + aside});
+      Stage stage = flatStage(64, samples);
+      stage.view.eye.z = 120;
+      stage.view.near = 1;
+      stage.view.far = 200;
+      stage.instances = {outlined(corner, 3)};
+      const Picture picture = drawOverWhite(stage, GetParam());
+      double sum = 0;
+      for (int y = 12; y < 52; ++y)
+        for (int x = 12; x < 52; ++x) {
+          const double off = std::fabs((x + 0.5 - middle.x) * -s + (y + 0.5 - middle.y) * c);
+          if (off < 1.5 - 0.75) {
+            EXPECT_EQ(at(picture, x, y).g, 0) << x << ", " << y << " at " << degrees;
+          }
+          if (off < 3) sum += darknessOf(at(picture, x, y));
+        }
+      EXPECT_NEAR(sum, 3 * 40 / c, 3 * 40 / c * 0.02) << degrees << " with " << samples;
+    }
+}
+
 TEST_P(ImageOutlines, MixByOpacityAndByTheResolve)
 {
   const OwnedMesh square = sheet({4, 4, 0}, {24, 0, 0}, {0, 24, 0});
