@@ -611,12 +611,14 @@ public:
   ///@{
   /**
    * Strokes along the greater principal curvature and, where it is darker than half, across it
-   * (Hertzmann and Zorin 2000): the denser the less light the lights send, as the tone Hatching has
-   * it, by HatchDarkest and HatchSpacing, which is the distance of strokes along the curvature
-   * where half of the light arrives. No closer than 1/200 of the diagonal of the mesh's box. They
-   * are found when the mesh changes, so that they stay where they are when the camera moves, and
-   * drawn below all other lines, HatchWidth times as wide, their ends tapered over HatchSpacing at
-   * least. Defaults: off, 0.6.
+   * (Hertzmann and Zorin 2000), straight ones on flat faces; not over edges above FeatureAngle or,
+   * where that is 180, CreaseAngle (60 degrees at least if the data's normals are smooth): the
+   * denser the less light the lights send, as the tone Hatching has it, by HatchDarkest and
+   * HatchSpacing, which is the distance of strokes along the curvature where half of the light
+   * arrives. No closer than 1/200 of the diagonal of the mesh's box. They are found when the mesh
+   * changes, so that they stay where they are when the camera moves, and drawn below all other
+   * lines, HatchWidth times as wide, their ends tapered over HatchSpacing at least. Defaults: off,
+   * 0.6.
    */
   vtkSetMacro(HatchLines, bool);
   vtkGetMacro(HatchLines, bool);

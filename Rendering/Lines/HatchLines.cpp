@@ -122,28 +122,41 @@ class PartWriter {
   {
     const std::uint32_t first = strokes_.first[stroke], end = strokes_.first[stroke + 1];
     const auto rank = static_cast<double>(strokes_.rank[stroke]);
-    bool isOpen = false;
-    for (std::uint32_t i = first; i < end; ++i) {
-      const double here = limit[i] - rank;
-      if (i > first && (limit[i - 1] - rank >= 0) != (here >= 0)) {
-        const double before = limit[i - 1] - rank, t = before / (before - here);
-        const Vec3d a = pointOf(i - 1), b = pointOf(i);
-        put(a + (b - a) * t);
-      }
-      if (here >= 0) put(pointOf(i));
-      if (isOpen && here < 0) close();
-      isOpen = here >= 0;
-    }
-    if (!isOpen) return;
-    // A ring that is drawn as a whole has no ends.
-    std::vector<std::uint32_t>& vertex = lines_.chains.vertex;
-    const std::uint32_t begin = lines_.chains.first.back();
+    const auto isDrawn = [&](std::uint32_t i) { return limit[i] - rank >= 0; };
     const bool isRing = end - first > 3 && strokes_.vertex[first] == strokes_.vertex[end - 1];
-    if (isRing && vertex.size() - begin == end - first) vertex.back() = vertex[begin];
-    close();
+    if (!isRing) {
+      for (std::uint32_t i = first; i < end; ++i)
+        step(i, i > first ? i - 1 : i, limit, rank);
+    } else {
+      // From a point that is not drawn, so that no piece is cut where the ring happens to begin.
+      const std::uint32_t count = end - first - 1;
+      std::uint32_t start = 0;
+      while (start < count && isDrawn(first + start))
+        ++start;
+      for (std::uint32_t k = 0; k <= count; ++k)
+        step(first + (start + k) % count, first + (start + (k > 0 ? k - 1 : 0)) % count, limit,
+             rank);
+      std::vector<std::uint32_t>& vertex = lines_.chains.vertex;
+      // One that is drawn as a whole has no ends.
+      if (isOpen_ && start == count) vertex.back() = vertex[lines_.chains.first.back()];
+    }
+    if (isOpen_) close();
+    isOpen_ = false;
   }
 
  private:
+  /// From a point to the next; the first comes from itself.
+  void step(std::uint32_t to, std::uint32_t from, const std::vector<double>& limit, double rank)
+  {
+    const double here = limit[to] - rank, before = limit[from] - rank;
+    if ((before >= 0) != (here >= 0)) {
+      const Vec3d a = pointOf(from), b = pointOf(to);
+      put(a + (b - a) * (before / (before - here)));
+    }
+    if (here >= 0) put(pointOf(to));
+    if (isOpen_ && here < 0) close();
+    isOpen_ = here >= 0;
+  }
   Vec3d pointOf(std::uint32_t i) const { return strokes_.points[strokes_.vertex[i]]; }
   void put(Vec3d p)
   {
@@ -159,7 +172,35 @@ class PartWriter {
   const HatchStrokes& strokes_;
   float slack_;
   ContourLines& lines_;
+  bool isOpen_ = false;
 };
+
+/// Evens out what perspective alone makes of a flat face: lines that get nearer to each other, as
+/// those of a floor do, look better than every other one that ends half way.
+void evenOutFaces(const HatchStrokes& strokes, std::vector<double>& limit)
+{
+  struct Bounds {
+    double low = 1e300, high = 0;
+  };
+  constexpr double kMostPerspective = 3;
+  std::vector<Bounds> bounds;
+  const auto forEachPoint = [&](const auto& visit) {
+    for (std::size_t s = 0; s < strokes.strokeCount(); ++s) {
+      const std::uint32_t face = strokes.face[s];
+      if (face == HatchStrokes::kNoFace) continue;
+      if (face >= bounds.size()) bounds.resize(face + std::size_t{1});
+      for (std::uint32_t i = strokes.first[s]; i < strokes.first[s + 1]; ++i)
+        visit(bounds[face], limit[i]);
+    }
+  };
+  forEachPoint([](Bounds& face, double one) {
+    face.low = std::min(face.low, one);
+    face.high = std::max(face.high, one);
+  });
+  forEachPoint([](const Bounds& face, double& one) {
+    if (face.high <= kMostPerspective * face.low) one = std::sqrt(face.low * face.high);
+  });
+}
 
 }  // namespace
 
@@ -175,6 +216,7 @@ ContourLines hatchLines(const HatchStrokes& strokes, const Mat4d& modelToWorld,
   parallelForEach(threads, limit.size(), kPerTask, [&](std::size_t i) {
     limit[i] = limits.limit(strokes.vertex[i], isCross[i] != 0);
   });
+  evenOutFaces(strokes, limit);
   ContourLines lines;
   PartWriter writer(strokes, static_cast<float>(limits.slack()), lines);
   for (std::size_t s = 0; s < strokes.strokeCount(); ++s)

@@ -23,7 +23,8 @@ struct HatchView {
 /// spacing / min(1, 2 d) pixels apart, those across them spacing / (2 d - 1) where d is above 1/2,
 /// measured across them on the screen: a stroke is drawn where its rank is below what that takes.
 /// So strokes stay where they are, and end where it gets lighter. Where the surface turns away from
-/// the eye and would crowd them, some end too. No nearer than all strokes of `strokes` are.
+/// the eye and would crowd them, some end too. No nearer than all strokes of `strokes` are. On a
+/// flat face where that distance varies less than threefold its geometric mean is taken for all.
 ContourLines hatchLines(const HatchStrokes& strokes, const Mat4d& modelToWorld,
                         const HatchView& view, int threads);
 

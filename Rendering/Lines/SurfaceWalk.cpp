@@ -10,8 +10,6 @@ namespace {
 
 /// Triangles that one step may cross: more are slivers, or a point where many meet.
 constexpr int kMostCrossings = 256;
-/// Of an edge over which walks go on.
-constexpr double kSharpestCosine = 0.5;
 
 Vec3d inPlane(Vec3d direction, Vec3d normal)
 {
@@ -20,12 +18,14 @@ Vec3d inPlane(Vec3d direction, Vec3d normal)
 
 }  // namespace
 
-SurfaceWalk::SurfaceWalk(const CurvedSurface& surface, const EdgeTable& table,
-                         Span<const Vec3f> field)
-    : surface_(surface), field_(field), neighbour_(3 * surface.mesh.triangles.size(), kNoCorner)
+SurfaceWalk::SurfaceWalk(const HatchSurface& surface, const HatchField& field)
+    : surface_(surface.curved),
+      field_(field),
+      neighbour_(3 * surface_.mesh.triangles.size(), kNoCorner)
 {
-  for (const MeshEdge& edge : table.edges) {
-    if (edge.faceCount != 2) continue;
+  for (std::size_t e = 0; e < surface.table.edges.size(); ++e) {
+    const MeshEdge& edge = surface.table.edges[e];
+    if (edge.faceCount != 2 || (surface.kinds[e] & kCreaseEdge) != 0) continue;
     neighbour_[edge.corner[0]] = edge.corner[1] / 3;
     neighbour_[edge.corner[1]] = edge.corner[0] / 3;
   }
@@ -51,7 +51,7 @@ bool SurfaceWalk::seed(std::size_t number, WalkPoint& point) const
   if (!isFinite(corners.normal) || corners.normal == Vec3d{0, 0, 0}) return false;
   point.triangle = static_cast<std::uint32_t>(number);
   point.position = (corners.p[0] + corners.p[1] + corners.p[2]) * (1.0 / 3);
-  point.direction = inPlane(vec3Cast<double>(field_[vertex[0]]), corners.normal);
+  point.direction = axisAt(point, corners);
   return !(point.direction == Vec3d{0, 0, 0});
 }
 
@@ -67,23 +67,37 @@ void SurfaceWalk::weigh(const WalkPoint& point, const Corners& corners, double (
     one = sum > 0 ? one / sum : 1.0 / 3;
 }
 
-Vec3d SurfaceWalk::fieldAt(const WalkPoint& point, bool across) const
+Vec3d SurfaceWalk::axisAt(const WalkPoint& point, const Corners& corners) const
 {
+  const std::uint32_t flat = field_.flats.of(point.triangle);
+  if (flat != FlatRegions::kNone) return inPlane(field_.flats.regions[flat].along, corners.normal);
   const auto& vertex = surface_.mesh.triangles[point.triangle].vertex;
-  const Corners corners = cornersOf(point.triangle);
   double weight[3];
   weigh(point, corners, weight);
-  // Of directions without a sign that of the heaviest corner says which way the others point.
+  // Of crosses that of the heaviest corner says which arms of the others go with its first.
   const int first =
       weight[0] >= weight[1] ? (weight[0] >= weight[2] ? 0 : 2) : (weight[1] >= weight[2] ? 1 : 2);
-  const Vec3d guide = vec3Cast<double>(field_[vertex[first]]);
+  const Vec3d guide = vec3Cast<double>(field_.axis[vertex[first]]);
   Vec3d sum = {0, 0, 0};
   for (int i = 0; i < 3; ++i) {
-    const Vec3d one = vec3Cast<double>(field_[vertex[i]]);
-    sum = sum + one * (dot(one, guide) < 0 ? -weight[i] : weight[i]);
+    Vec3d one = vec3Cast<double>(field_.axis[vertex[i]]);
+    const Vec3d other = limn::cross(corners.normal, one);
+    double along = dot(one, guide);
+    const double across = dot(other, guide);
+    if (std::fabs(across) > std::fabs(along)) {
+      one = other;
+      along = across;
+    }
+    sum = sum + one * (along < 0 ? -weight[i] : weight[i]);
   }
-  const Vec3d along = inPlane(sum, corners.normal);
-  const Vec3d way = across ? limn::cross(corners.normal, along) : along;
+  return inPlane(sum, corners.normal);
+}
+
+Vec3d SurfaceWalk::fieldAt(const WalkPoint& point, bool across) const
+{
+  const Corners corners = cornersOf(point.triangle);
+  const Vec3d axis = axisAt(point, corners);
+  const Vec3d way = across ? limn::cross(corners.normal, axis) : axis;
   return dot(way, point.direction) < 0 ? -way : way;
 }
 
@@ -112,7 +126,7 @@ bool SurfaceWalk::cross(WalkPoint& point, int edge, const Corners& from) const
     isWoundAlike =
         isWoundAlike || (to.p[i] == from.p[(edge + 1) % 3] && to.p[(i + 1) % 3] == from.p[edge]);
   const Vec3d normal = isWoundAlike ? to.normal : -to.normal;
-  if (!(dot(normal, from.normal) > kSharpestCosine) || vertex[0] == vertex[1]) return false;
+  if (to.normal == Vec3d{0, 0, 0} || vertex[0] == vertex[1]) return false;
   // What lies along the edge stays, what leaves it leaves it in the other plane.
   const double along = dot(point.direction, hinge);
   const double away = std::sqrt(std::max(0.0, 1 - along * along));
@@ -145,9 +159,11 @@ bool SurfaceWalk::goStraight(WalkPoint& point, double length) const
   return false;
 }
 
-bool SurfaceWalk::stepAlong(WalkPoint& point, bool across, double length) const
+bool SurfaceWalk::stepAlong(WalkPoint& point, bool across, double length, double drift) const
 {
   const Vec3d start = fieldAt(point, across);
+  constexpr double kHalfRightAngle = 0.7071;
+  if (!(dot(start, point.direction) > kHalfRightAngle)) return false;
   WalkPoint middle = point;
   middle.direction = start;
   if (!goStraight(middle, 0.5 * length)) {
@@ -158,7 +174,9 @@ bool SurfaceWalk::stepAlong(WalkPoint& point, bool across, double length) const
   const Vec3d there = fieldAt(middle, across);
   const Vec3d normal = cornersOf(point.triangle).normal;
   const Vec3d direction = inPlane(there, normal);
-  point.direction = dot(direction, start) > 0 ? direction : start;
+  point.direction = dot(direction, start) > kHalfRightAngle ? direction : start;
+  if (drift != 0)
+    point.direction = normalized(point.direction + limn::cross(normal, point.direction) * drift);
   if (!goStraight(point, length)) return false;
   return true;
 }

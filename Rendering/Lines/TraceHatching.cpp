@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/TraceHatching.h"
 
+#include "Rendering/Lines/FlatHatching.h"
 #include "Rendering/Lines/SurfaceWalk.h"
 #include "Rendering/Base/Executor.h"
 #include "Rendering/Mesh/LocalPosition.h"
@@ -14,11 +15,17 @@
 namespace limn {
 namespace {
 
-constexpr int kRounds = 4;
+constexpr int kRounds = 5;
 /// Strokes end where another of their family is nearer than this share of their distance, and
 /// begin where none is nearer than the second.
 constexpr double kNearest = 0.6, kApart = 0.95;
+/// Ranks, as shares of a round's highest: about sqrt(1/2), where its distance is as near to the
+/// wanted one as the next round's. Apart enough for strokes that end in one light not to end in
+/// line.
+/// The first round's get rarer towards the light.
+constexpr double kLowest = 0.62, kLowestOfFirst = 0.3, kHighest = 0.8;
 constexpr std::size_t kMostSteps = 4096;
+constexpr int kMostTurns = 4;
 /// Vertices tried as first points of strokes in each round.
 constexpr std::size_t kMostSeeds = 65536;
 
@@ -77,8 +84,9 @@ class PointGrid {
 /// One family of strokes.
 class FamilyTracer {
  public:
-  FamilyTracer(const SurfaceWalk& walk, bool isCross, HatchStrokes& strokes)
-      : walk_(walk), isCross_(isCross), strokes_(strokes)
+  FamilyTracer(const SurfaceWalk& walk, const FlatRegions& flats, bool isCross,
+               HatchStrokes& strokes)
+      : walk_(walk), flats_(flats), isCross_(isCross), strokes_(strokes)
   {
   }
 
@@ -88,7 +96,7 @@ class FamilyTracer {
     for (int round = 0; round < kRounds; ++round) {
       distance_ = strokes_.spacing * static_cast<double>(1 << (kRounds - 1 - round));
       high_ = 1.0 / static_cast<double>(1 << (kRounds - 1 - round));
-      low_ = round == 0 ? 0.0 : high_ / 2;
+      isFirstRound_ = round == 0;
       PointGrid grid(distance_);
       grid_ = &grid;
       for (std::size_t s = 0; s < strokes_.strokeCount(); ++s)
@@ -107,7 +115,7 @@ class FamilyTracer {
     const std::size_t count = walk_.seedCount(), stride = count / kMostSeeds + 1;
     for (std::size_t i = 0; i < count; i += stride) {
       WalkPoint seed;
-      if (!walk_.seed(i, seed)) continue;
+      if (flats_.isFramed(i) || !walk_.seed(i, seed)) continue;
       seeds_.push_back(seed);
       traceSeeds();
     }
@@ -122,53 +130,93 @@ class FamilyTracer {
   {
     const Vec3d normal = walk_.normalAt(seed);
     if (grid_->isNear(seed.position - origin_, normal, kApart * distance_)) return;
-    bool isClosed = false;
-    std::vector<WalkPoint> forward = follow(seed, 1, nullptr, isClosed), backward;
-    if (!isClosed) backward = follow(seed, -1, &forward, isClosed);
-    std::vector<WalkPoint> all(backward.rbegin(), backward.rend());
+    Course course = follow(seed, {1, 0}, nullptr);
+    // On a mesh, which is not smooth, rings become spirals; turned back by what they stray by.
+    double drift = 0;
+    Course turned = course;
+    for (int i = 0; i < kMostTurns && turned.isReturn && !turned.isClosed; ++i) {
+      drift += turned.drift;
+      turned = follow(seed, {1, drift}, nullptr);
+    }
+    if (turned.isClosed) course = std::move(turned);
+    std::vector<WalkPoint> all;
+    if (!course.isClosed) {
+      const Course backward = follow(seed, {-1, 0}, &course.points);
+      all.assign(backward.points.rbegin(), backward.points.rend());
+    }
     all.push_back(seed);
-    all.insert(all.end(), forward.begin(), forward.end());
+    all.insert(all.end(), course.points.begin(), course.points.end());
     // Shorter ones are dots.
-    if (static_cast<double>(all.size()) * strokes_.step < 2 * distance_ && !isClosed) return;
-    add(all, isClosed);
+    if (static_cast<double>(all.size()) * strokes_.step < 2 * distance_ && !course.isClosed) return;
+    add(all, course.isClosed);
     enter(strokes_.strokeCount() - 1);
     seedBeside(strokes_.strokeCount() - 1);
   }
 
-  /// Points after the seed. `other` are those of the same stroke on the seed's other side.
-  std::vector<WalkPoint> follow(const WalkPoint& seed, int way, const std::vector<WalkPoint>* other,
-                                bool& isClosed) const
+  struct Start {
+    int way;       ///< 1 or -1 times the field's direction
+    double drift;  ///< as stepAlong() has it
+  };
+  struct Course {
+    std::vector<WalkPoint> points;  ///< after the seed
+    bool isClosed = false;          ///< comes back to the seed
+    bool isReturn = false;          ///< or passes it at its side
+    double drift = 0;               ///< that would have closed it
+  };
+
+  /// `other` are the points of the same stroke on the seed's other side.
+  Course follow(const WalkPoint& seed, Start start, const std::vector<WalkPoint>* other) const
   {
-    std::vector<WalkPoint> points;
+    Course course;
+    std::vector<WalkPoint>& points = course.points;
     WalkPoint at = seed;
-    at.direction = walk_.fieldAt(seed, isCross_) * static_cast<double>(way);
-    const Vec3d start = at.direction;
+    at.direction = walk_.fieldAt(seed, isCross_) * static_cast<double>(start.way);
+    const Vec3d first = at.direction;
     PointGrid own(distance_);
     const std::size_t turn = static_cast<std::size_t>(std::ceil(distance_ / strokes_.step)) + 2;
     if (other != nullptr)
       for (std::size_t i = turn; i < other->size(); ++i)
         own.add({(*other)[i].position - origin_, walk_.normalAt((*other)[i])});
     while (points.size() < kMostSteps) {
-      if (!walk_.stepAlong(at, isCross_, strokes_.step)) break;
+      const Vec3d before = at.position;
+      const bool isOn = walk_.stepAlong(at, isCross_, strokes_.step, start.drift);
+      const Vec3d moved = at.position - before;
+      // To a border strokes go.
+      if (!isOn && !(dot(moved, moved) > 1e-6 * strokes_.step * strokes_.step)) break;
       const Vec3d normal = walk_.normalAt(at), p = at.position - origin_;
-      const Vec3d toStart = seed.position - at.position;
-      if (points.size() > turn && dot(toStart, toStart) < strokes_.step * strokes_.step &&
-          dot(at.direction, start) > 0.9) {
-        isClosed = true;
-        closeGap(toStart - at.direction * dot(toStart, at.direction), points);
-        break;
-      }
+      if (points.size() > turn && closes(at, seed, first, course)) break;
       if (grid_->isNear(p, normal, kNearest * distance_) ||
           own.isNear(p, normal, kNearest * distance_))
         break;
       points.push_back(at);
-      // What lies this far behind is no longer the stroke's own neighbourhood.
-      if (points.size() > 2 * turn) {
+      if (!isOn) break;
+      // What lies this far behind is no longer the stroke's own neighbourhood. To its first
+      // points it may come back.
+      if (points.size() > 4 * turn) {
         const WalkPoint& behind = points[points.size() - 2 * turn];
         own.add({behind.position - origin_, walk_.normalAt(behind)});
       }
     }
-    return points;
+    return course;
+  }
+
+  /// Whether a stroke has come back to its seed, or past it, less than its distance aside.
+  bool closes(const WalkPoint& at, const WalkPoint& seed, Vec3d first, Course& course) const
+  {
+    const Vec3d toStart = seed.position - at.position;
+    const double squared = dot(toStart, toStart), along = dot(toStart, at.direction);
+    if (!(squared < distance_ * distance_) || !(dot(at.direction, first) > 0.9)) return false;
+    const Vec3d gap = toStart - at.direction * along;
+    if (squared < strokes_.step * strokes_.step) {
+      course.isClosed = true;
+      closeGap(gap, course.points);
+      return true;
+    }
+    if (!(std::fabs(along) < strokes_.step)) return false;
+    course.isReturn = true;
+    const Vec3d left = cross(walk_.normalAt(at), at.direction);
+    course.drift = dot(gap, left) / (static_cast<double>(course.points.size()) * strokes_.step);
+    return true;
   }
 
   /// What the walk has strayed to the side, less than a step, is spread over all of a ring.
@@ -196,8 +244,10 @@ class FamilyTracer {
     // Numerical Recipes' series modulo 2^32; its upper bits are good.
     random_ = random_ * 1664525u + 1013904223u;
     const double share = (static_cast<double>(random_ >> 8) + 1) / 16777216.0;
-    strokes_.rank.push_back(static_cast<float>(low_ + (high_ - low_) * share));
+    const double low = isFirstRound_ ? kLowestOfFirst : kLowest;
+    strokes_.rank.push_back(static_cast<float>(high_ * (low + (kHighest - low) * share)));
     strokes_.isCross.push_back(isCross_ ? 1 : 0);
+    strokes_.face.push_back(HatchStrokes::kNoFace);
   }
   void enter(std::size_t stroke)
   {
@@ -223,54 +273,36 @@ class FamilyTracer {
   }
 
   const SurfaceWalk& walk_;
+  const FlatRegions& flats_;
   bool isCross_;
   HatchStrokes& strokes_;
   Vec3d origin_ = {0, 0, 0};
-  double distance_ = 0, low_ = 0, high_ = 0;
+  double distance_ = 0, high_ = 0;
+  bool isFirstRound_ = true;
   PointGrid* grid_ = nullptr;
   std::deque<WalkPoint> seeds_;
   std::uint32_t random_ = 40961u;
 };
 
-template <class T>
-void append(const std::vector<T>& more, std::vector<T>& all)
-{
-  all.insert(all.end(), more.begin(), more.end());
-}
-void append(const HatchStrokes& more, HatchStrokes& all)
-{
-  const auto points = static_cast<std::uint32_t>(all.points.size());
-  const auto vertices = static_cast<std::uint32_t>(all.vertex.size());
-  append(more.points, all.points);
-  append(more.triangle, all.triangle);
-  append(more.normals, all.normals);
-  append(more.across, all.across);
-  append(more.rank, all.rank);
-  append(more.isCross, all.isCross);
-  for (const std::uint32_t vertex : more.vertex)
-    all.vertex.push_back(points + vertex);
-  for (std::size_t i = all.first.empty() ? 0 : 1; i < more.first.size(); ++i)
-    all.first.push_back(vertices + more.first[i]);
-}
-
 }  // namespace
 
-HatchStrokes traceHatching(const CurvedSurface& surface, const EdgeTable& table,
-                           Span<const Vec3f> field, int threads)
+HatchStrokes traceHatching(const HatchSurface& surface, const HatchField& field, int threads)
 {
   HatchStrokes strokes;
-  const Box box = finiteBox(surface.mesh);
+  const Box box = finiteBox(surface.curved.mesh);
   if (box.empty()) return strokes;
   const Vec3d diagonal = box.high - box.low;
   strokes.spacing = kHatchDensity * std::sqrt(dot(diagonal, diagonal));
   strokes.step = 0.75 * strokes.spacing;
   if (!(strokes.spacing > 0)) return strokes;
-  const SurfaceWalk walk(surface, table, field);
-  HatchStrokes across = strokes;
-  parallelFor(threads, 2, [&](std::size_t family) {
-    FamilyTracer(walk, family == 1, family == 1 ? across : strokes).trace(box.low);
+  const SurfaceWalk walk(surface, field);
+  HatchStrokes family[2] = {strokes, strokes};
+  parallelFor(threads, 2, [&](std::size_t f) {
+    FamilyTracer(walk, field.flats, f == 1, family[f]).trace(box.low);
   });
-  append(across, strokes);
+  hatchFlats(surface, field.flats, threads, strokes);
+  for (const HatchStrokes& some : family)
+    strokes.append(some);
   return strokes;
 }
 

@@ -241,4 +241,16 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
   return {};
 }
 
+std::vector<std::uint32_t> verticesOfNormals(const MeshView& mesh, const SplitNormals& split)
+{
+  std::vector<std::uint32_t> vertices(split.normals.size(), 0);
+  const std::uint32_t* number = split.ofCorner.data();
+  for (const Triangle& triangle : mesh.triangles)
+    for (const std::uint32_t vertex : triangle.vertex) {
+      if (vertex < mesh.vertexCount()) vertices[*number] = vertex;
+      ++number;
+    }
+  return vertices;
+}
+
 }  // namespace limn

@@ -37,4 +37,7 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
                           NormalWeight weight, double featureDegrees, int threads,
                           SplitNormals& split);
 
+/// The vertex of each normal of splitVertexNormals(): it has one.
+std::vector<std::uint32_t> verticesOfNormals(const MeshView& mesh, const SplitNormals& split);
+
 }  // namespace limn

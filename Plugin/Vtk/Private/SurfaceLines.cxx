@@ -401,17 +401,67 @@ void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const
   }
 }
 
-LineSet SurfaceLines::hatchLinesOf(vtkLimnProperty* property, vtkPolyData* data,
-  const LineView& view, const Instance& instance, FrameLines& frame)
+double SurfaceLines::hatchCreaseDegrees(
+  vtkLimnProperty* property, vtkPolyData* data, const Instance& instance) const
 {
-  this->updateCurvature(normalsVersion(property, data, instance), instance, view.threads);
-  const CurvedSurface surface = this->curved(instance.mesh);
-  if (!strokes_)
+  if (property->GetFeatureAngle() < 180)
   {
-    const std::vector<Vec3f> field = hatchField(surface, view.threads);
-    strokes_ =
-      std::make_unique<const HatchStrokes>(traceHatching(surface, table_, field, view.threads));
+    return property->GetFeatureAngle();
   }
+  const bool isOfData = property->GetVertexNormals() == vtkLimnProperty::NORMALS_FROM_DATA &&
+                        data->GetPointData()->GetNormals() != nullptr;
+  const Span<const Vec3f> normals = instance.attributes.vertexNormals;
+  if (!isOfData || normals.size() != table_.place.size())
+  {
+    return property->GetCreaseAngle();
+  }
+  // The data say where the surface is smooth, unless their normals are split somewhere.
+  constexpr float kSplitCosine = 0.94f;
+  constexpr double kSmooth = 60;
+  for (std::size_t v = 0; v < normals.size(); ++v)
+  {
+    const Vec3f a = normalized(normals[v]);
+    const Vec3f b = normalized(normals[table_.place[v]]);
+    if (dot(a, b) < kSplitCosine && !(a == Vec3f{ 0, 0, 0 }) && !(b == Vec3f{ 0, 0, 0 }))
+    {
+      return property->GetCreaseAngle();
+    }
+  }
+  return std::max(kSmooth, property->GetCreaseAngle());
+}
+
+Status SurfaceLines::updateStrokes(
+  vtkLimnProperty* property, vtkPolyData* data, const Instance& instance, int threads)
+{
+  this->updateCurvature(normalsVersion(property, data, instance), instance, threads);
+  const double creaseDegrees = strokes_ && property->GetCreaseAngle() == strokesCreaseAngle_
+                                 ? strokesDegrees_
+                                 : this->hatchCreaseDegrees(property, data, instance);
+  strokesCreaseAngle_ = property->GetCreaseAngle();
+  if (strokes_ && creaseDegrees == strokesDegrees_)
+  {
+    return {};
+  }
+  strokes_.reset();
+  const std::vector<std::uint8_t> kinds =
+    edgeKinds(this->weldedMesh(instance.mesh), table_, {}, creaseDegrees, threads);
+  const HatchSurface whole = { this->curved(instance.mesh), table_, kinds };
+  CutMesh cut;
+  if (Status status = cutAtCreases(whole, creaseDegrees, threads, cut); !status.ok())
+  {
+    return status;
+  }
+  const HatchSurface surface = { cut.triangles.empty() ? whole.curved : cut.surface(), table_,
+    kinds };
+  strokes_ = std::make_unique<const HatchStrokes>(
+    traceHatching(surface, hatchField(surface, threads), threads));
+  strokesDegrees_ = creaseDegrees;
+  return {};
+}
+
+LineSet SurfaceLines::hatchLinesOf(
+  vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame)
+{
   const Material& material = instance.material;
   const HatchView hatchView = { view.camera,
     material.ambientColor * material.ambient * view.ambientLight, view.lights,
@@ -473,7 +523,11 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
   auto sets = std::make_unique<std::vector<LineSet>>();
   if (property->GetHatchLines())
   {
-    sets->push_back(this->hatchLinesOf(property, data, view, instance, frame));
+    if (Status status = this->updateStrokes(property, data, instance, view.threads); !status.ok())
+    {
+      return status;
+    }
+    sets->push_back(this->hatchLinesOf(property, view, instance, frame));
   }
   for (std::size_t i = firstEdges; i < frame.edges.size(); ++i)
   {

@@ -108,8 +108,13 @@ private:
   void addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
     const Instance& instance, FrameLines& frame);
 
-  LineSet hatchLinesOf(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
-    const Instance& instance, FrameLines& frame);
+  /// The angle of edges at which strokes end.
+  double hatchCreaseDegrees(
+    vtkLimnProperty* property, vtkPolyData* data, const Instance& instance) const;
+  Status updateStrokes(
+    vtkLimnProperty* property, vtkPolyData* data, const Instance& instance, int threads);
+  LineSet hatchLinesOf(
+    vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
 
   vtkIdType geometry_ = -1;
   vtkIdType edgeBuilds_ = 0;
@@ -137,6 +142,7 @@ private:
   };
   std::vector<Terminator> terminators_;
   std::unique_ptr<const HatchStrokes> strokes_;
+  double strokesCreaseAngle_ = -1, strokesDegrees_ = -1; ///< of these: as asked, and as they end
 };
 
 } // namespace limn::bridge
