@@ -469,8 +469,11 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
   }
   // Of VTK's shading, which knows no light that it would be a share of.
   property.SetAmbient(settings.material.ambient ? 1 : 0);
-  // Without normals of its own a mesh is as sharp as its creases are.
-  if (!settings.material.featureAngleDegrees && !mesh.surface->GetPointData()->GetNormals())
+  // Creases are where the mesh is sharp, and without normals of its own it is sharp there.
+  const std::optional<double> sharp = settings.material.featureAngleDegrees;
+  property.SetCreaseAngle(
+    lines.creaseAngleDegrees.value_or(sharp.value_or(property.GetCreaseAngle())));
+  if (!sharp && !mesh.surface->GetPointData()->GetNormals())
   {
     property.SetFeatureAngle(property.GetCreaseAngle());
   }
@@ -479,7 +482,6 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
     property.SetStrokeWidth(lines.width->value);
     property.SetStrokeUnit(lines.width->unit);
   }
-  property.SetCreaseAngle(lines.creaseAngleDegrees.value_or(property.GetCreaseAngle()));
   property.SetOuterWidthFactor(lines.outerWidth.value_or(property.GetOuterWidthFactor()));
   property.SetStrokeOpacity(lines.opacity.value_or(property.GetStrokeOpacity()));
   property.SetStrokeTaper(lines.taper.value_or(property.GetStrokeTaper()));

@@ -147,7 +147,8 @@ void addMaterial(OptionList& options, MaterialSettings& material)
   options.add("--normals", "name",
     "of vertices: data (the mesh's, else by area), or\ncomputed: uniform, area, angle (data)",
     choose(material.normals, normalSources()));
-  options.add("--feature-angle", "degrees", "0 to 180; edges above it are sharp (none)",
+  options.add("--feature-angle", "degrees",
+    "0 to 180; edges above it are sharp, and of a style\ncreases (none)",
     into(material.featureAngleDegrees, parseFeatureAngle));
   options.add("--reflection", "name",
     "none, lambert, phong, blinn-phong, irradiance (the\n"
@@ -386,7 +387,8 @@ void addLines(OptionList& options, SceneSettings& scene)
     "suggestive, hatch (strokes along the curvature, as\n"
     "dense as it is dark) (none)",
     into(lines.kinds, parseLineKinds));
-  options.add("--crease-angle", "degrees", "0 to 180, between faces' normals, of creases (40)",
+  options.add("--crease-angle", "degrees",
+    "0 to 180, between faces' normals, of creases (40; of\na style the feature angle if given)",
     into(lines.creaseAngleDegrees, parseFeatureAngle));
   options.add("--ridge-threshold", "k",
     "how much a fortieth of the model bends at ridges and\nvalleys, 0 gives all (0.1)",

@@ -200,6 +200,8 @@ TEST(Arguments, WhatAStyleDoesNotShowIsRefused)
     return renderErrorOf({ "--style=" + style, option });
   };
   EXPECT_EQ(error("ink", "--color=1,0,0"), "--style=ink does not show --color; leave it out");
+  EXPECT_EQ(error("ink", "--shading=flat"), "--style=ink does not show --shading; leave it out");
+  EXPECT_EQ(error("ink", "--feature-angle=20"), "");
   EXPECT_EQ(error("toon", "--color=1,0,0"), "");
   EXPECT_EQ(
     error("metal", "--procedural=wood"), "--style=metal does not show --procedural; leave it out");

@@ -137,6 +137,18 @@ TEST_F(Render, WhatIsNamedBesideAStyleHolds)
   }
 }
 
+// A mesh without normals is sharp at its creases, and has creases where it is sharp.
+TEST_F(Render, AStylesCreasesAreAtTheFeatureAngle)
+{
+  for (const std::string style : { "ink", "pencil", "blueprint" })
+  {
+    const std::string bare = draw("gear.stl", { "--style=" + style });
+    const std::string sharper = draw("gear.stl", { "--style=" + style, "--feature-angle=5" });
+    EXPECT_NE(sharper, bare) << style;
+    EXPECT_EQ(draw("gear.stl", { "--style=" + style, "--crease-angle=5" }), sharper) << style;
+  }
+}
+
 TEST_F(Render, TheBytesDependOnTheSceneOnly)
 {
   const Words options = { "--tone=gooch", "--light=directional:-1,-1,-1:1,1,1" };
