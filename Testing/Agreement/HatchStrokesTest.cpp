@@ -46,17 +46,6 @@ Polyhedron lump(std::uint32_t seed)
   return mesh;
 }
 
-/// As SurfaceLines has it: the triangles of points that lie in one place share them.
-Polyhedron welded(Polyhedron mesh)
-{
-  EdgeTable table;
-  EXPECT_TRUE(buildEdgeTable(mesh.view(), 0, 1, table).ok());
-  for (Triangle& triangle : mesh.triangles)
-    for (std::uint32_t& v : triangle.vertex)
-      v = table.place[v];
-  return mesh;
-}
-
 class Hash {
  public:
   template <class T>

@@ -101,14 +101,16 @@ TEST(HatchLines, OfAFlatFaceAreEquallyFarApart)
 
 TEST(HatchLines, OfAFlatFaceInPerspectiveGoFromBorderToBorder)
 {
-  Lit lit = fromAbove(0.6);
-  lit.stage.view = perspectiveView({0, -3, 2.5}, {0, 0, 0}, 40);
-  const ContourLines lines = lit.lines(plane());
-  ASSERT_GT(lines.chains.first.size(), 10u);
-  for (std::size_t c = 0; c + 1 < lines.chains.first.size(); ++c) {
-    const Vec3d a = lines.points[lines.chains.vertex[lines.chains.first[c]]];
-    const Vec3d b = lines.points[lines.chains.vertex[lines.chains.first[c + 1] - 1]];
-    EXPECT_NEAR(std::fabs(b.x - a.x), 2, 1e-9);
+  for (const double light : {0.5, 0.55, 0.6, 0.65, 0.7, 0.75}) {
+    Lit lit = fromAbove(light);
+    lit.stage.view = perspectiveView({2, -2, 2.5}, {0, 0, 0}, 40);
+    const ContourLines lines = lit.lines(plane());
+    ASSERT_GT(lines.chains.first.size(), 10u);
+    for (std::size_t c = 0; c + 1 < lines.chains.first.size(); ++c) {
+      const Vec3d a = lines.points[lines.chains.vertex[lines.chains.first[c]]];
+      const Vec3d b = lines.points[lines.chains.vertex[lines.chains.first[c + 1] - 1]];
+      EXPECT_NEAR(std::fabs(b.x - a.x), 2, 1e-9) << light;
+    }
   }
 }
 

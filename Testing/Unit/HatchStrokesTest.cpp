@@ -79,6 +79,10 @@ TEST(HatchStrokes, LieOnTheSurfaceAndCloseAroundIt)
   }
   EXPECT_GT(rings, 50u);
   EXPECT_EQ(rings, around);
+  double highest = 0;
+  for (const Vec3d& p : strokes.points)
+    highest = std::max(highest, p.z);
+  EXPECT_NEAR(highest, 1.5, 1e-9) << "and go on to the border";
 }
 
 /// Calls visit(stroke, its first and last point) and requires the points between to be on the line.
@@ -236,6 +240,19 @@ TEST(HatchStrokes, FillASphereEvenlyAndCloseAroundIt)
     level += strokes.isCross[s] == 0;
   }
   EXPECT_GT(static_cast<double>(rings), 0.8 * static_cast<double>(level));
+}
+
+TEST(HatchStrokes, CloseInSpiteOfWhatACoarseMeshStrays)
+{
+  // Parallels of a coarse torus drift by more than their distance, each round.
+  const Hatched coarse(torus(1, 0.35, 48, 24));
+  std::size_t rings = 0, parallels = 0;
+  for (std::size_t s = 0; s < coarse.strokes.strokeCount(); ++s) {
+    rings += coarse.strokes.isCross[s] != 0 && coarse.isRing(s);
+    parallels += coarse.strokes.isCross[s] != 0;
+  }
+  // Others meet neighbours first. Where none is turned back, 19 % close.
+  EXPECT_GT(static_cast<double>(rings), 0.28 * static_cast<double>(parallels));
 }
 
 }  // namespace

@@ -71,6 +71,17 @@ struct Hatched {
   }
 };
 
+/// As SurfaceLines has it: the triangles of points that lie in one place share them.
+inline Polyhedron welded(Polyhedron mesh)
+{
+  EdgeTable table;
+  EXPECT_TRUE(buildEdgeTable(mesh.view(), 0, 1, table).ok());
+  for (Triangle& triangle : mesh.triangles)
+    for (std::uint32_t& v : triangle.vertex)
+      v = table.place[v];
+  return mesh;
+}
+
 inline Polyhedron grid(std::uint32_t across, std::uint32_t along,
                        const std::function<Vec3f(double, double)>& at)
 {
