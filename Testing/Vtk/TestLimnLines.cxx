@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkParametricTorus.h"
 #include "vtkParametricFunctionSource.h"
+#include "vtkCubeSource.h"
 #include "vtkDataArray.h"
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
@@ -411,6 +412,39 @@ void checkHatching()
   CHECK_EQUAL(stage.Coverage(), 0);
 }
 
+/// Strokes of a cube are the same whether the data have its normals, split at its edges, or none;
+/// and they are others if nothing is sharp.
+void checkHatchedCube()
+{
+  vtkNew<vtkCubeSource> cube;
+  cube->SetXLength(30);
+  cube->SetYLength(30);
+  cube->SetZLength(30);
+  cube->Update();
+  vtkNew<vtkPolyData> bare;
+  bare->DeepCopy(cube->GetOutput());
+  bare->GetPointData()->SetNormals(nullptr);
+  const auto coverage = [](vtkPolyData* data, double creaseAngle, double featureAngle)
+  {
+    LineStage stage;
+    stage.Mapper->SetInputData(data);
+    vtkCamera* const camera = stage.Renderer->GetActiveCamera();
+    camera->SetFocalPoint(0, 0, 0);
+    camera->SetPosition(40, 50, 90);
+    camera->SetClippingRange(10, 300);
+    stage.Property->HatchLinesOn();
+    stage.Property->SetHatchSpacing(4);
+    stage.Property->SetCreaseAngle(creaseAngle);
+    stage.Property->SetFeatureAngle(featureAngle);
+    return stage.Coverage();
+  };
+  const double flat = coverage(bare, 40, 180);
+  CHECK(flat > 30);
+  CHECK_EQUAL(coverage(cube->GetOutput(), 40, 180), flat);
+  CHECK_EQUAL(coverage(bare, 120, 40), flat);
+  CHECK(coverage(bare, 120, 180) != flat);
+}
+
 /// Of point normals that change after a frame, or before the first.
 void checkChangedNormals()
 {
@@ -541,6 +575,7 @@ int TestLimnLines(int, char*[])
   checkIntersections();
   checkThresholds();
   checkHatching();
+  checkHatchedCube();
   checkChangedNormals();
   checkDashAlone();
   checkTooWide();
