@@ -230,6 +230,19 @@ Status checkHatching(const Instance& instance, InstanceName name)
   return {};
 }
 
+Status checkExaggeration(const Instance& instance, InstanceName name)
+{
+  if (instance.style.tone != Tone::kExaggerated) return {};
+  const Exaggeration& e = instance.style.exaggeration;
+  if (!(e.contrast >= 0 && e.contrast <= kMaxExaggeration) || !(e.base >= 0 && e.base <= 1) ||
+      !(e.exponent >= -kMaxExaggerationExponent && e.exponent <= kMaxExaggerationExponent))
+    return {Error::kNotFinite,
+            name +
+                ": its exaggeration needs a contrast of 0 to 1000, an exponent of -4 to 4 and a "
+                "base of 0 to 1."};
+  return {};
+}
+
 struct MeshSizes {
   std::size_t vertices, triangles;
 };
@@ -257,8 +270,26 @@ Status checkHull(const Instance& instance, InstanceName name)
              : checkSize(a.cells.size(), mesh.triangles.size(), name, ": cells of triangles");
 }
 
+Status checkSmoothNormals(const Instance& instance, MeshSizes sizes, InstanceName name)
+{
+  const Attributes& a = instance.attributes;
+  if (a.smoothNormals.empty()) {
+    if (!instance.style.isExaggerated() || sizes.triangles == 0) return {};
+    return {Error::kMissingData,
+            name + ": its exaggeration needs normals of several scales; call smoothNormals()."};
+  }
+  if (a.smoothLevels < 1 || a.smoothLevels > kMaxSmoothLevels ||
+      !(a.smoothRatio >= 1 && a.smoothRatio <= kMaxSmoothRatio))
+    return {Error::kNotFinite,
+            name + ": its smooth normals have to be of 1 to 8 levels, their ratio 1 to 16."};
+  return checkSize(a.smoothNormals.size(),
+                   sizes.vertices * static_cast<std::size_t>(a.smoothLevels), name,
+                   ": smooth normals");
+}
+
 Status checkAttributes(const Instance& instance, MeshSizes sizes, InstanceName name)
 {
+  if (Status status = checkSmoothNormals(instance, sizes, name); !status.ok()) return status;
   const Attributes& a = instance.attributes;
   const Style& style = instance.style;
   if (!a.cells.empty() && a.cells.size() < sizes.triangles)
@@ -387,6 +418,7 @@ Status checkInstance(const Instance& instance, std::size_t number, Backend backe
   if (instance.hull != nullptr) return checkHull(instance, name);
   if (Status status = checkRamp(instance.style, name); !status.ok()) return status;
   if (Status status = checkHatching(instance, name); !status.ok()) return status;
+  if (Status status = checkExaggeration(instance, name); !status.ok()) return status;
   if (Status status = checkLayers(instance, name); !status.ok()) return status;
   for (std::size_t i = 0; i < instance.lines.size(); ++i)
     if (Status status =

@@ -11,6 +11,7 @@
 #include "Rendering/Mesh/ClusteredMesh.h"
 #include "Rendering/Mesh/HullEdges.h"
 #include "Rendering/Mesh/MeshView.h"
+#include "Rendering/Mesh/SmoothNormals.h"
 #include "Rendering/Texture/TextureLayer.h"
 #include "Rendering/ToneStyle.h"
 
@@ -119,7 +120,7 @@ enum class Reflection : std::uint8_t {
 /// TextureLayer::isData. Their bytes are sRGB, as the user's legend shows them. k_d, bounded to 0
 /// ... 1, is that colour; d is l.n, or 2 t - 1 with Style::toonBands, turned round by
 /// Tone::kGoochChapter. All but kClassic add no highlight, which no legend has, and leave out the
-/// stripes of kMetal; kRamp, kMatCap and kHatching are classic.
+/// stripes of kMetal; kRamp, kMatCap and kHatching are classic. Of kExaggerated d is 2 c - 1.
 enum class ToneOverData : std::uint8_t {
   kClassic,  ///< as a tone treats any k_d
   /// (1 - sigma) k_d + sigma t, where t is the tone of a grey surface, k_d = 1/2.
@@ -165,19 +166,20 @@ struct Style {
   float coolSurface = 0.2f, warmSurface = 0.6f;
   ToneRamp ramp;
   Hatching hatching;
+  Exaggeration exaggeration;
   /// 2 to kMaxToonBands: light, summed over all lights, in so many even steps; 0 or 1: smooth. A
   /// value t becomes k / (N - 1) from t = k / N on, and a highlight is all or nothing, from 1/2 on.
   /// Edges are antialiased over a pixel by the change of t to the right and above in the triangle's
   /// plane, without bumps.
   ///
-  /// Tones: t = (1 + l.n) / 2. Not for kRamp, whose picture has its own steps, kMatCap and
-  /// kHatching. Reflection models: the light sent back by a matt surface of k_d = 1, a colour,
-  /// keeps its hue; t is its strongest channel. The unlit have none. No Fresnel term; facets (the
-  /// metallic models) are drawn as Blinn and Phong's with p = 2 / alpha^2 - 2, k_d without the
-  /// metal's share, and F_0 for k_s. Sums of irradiance are divided by pi, as a white surface needs
-  /// I = pi there. Frequencies: kFlat gives each face one step. With kGouraud vertices are stepped
-  /// and colours interpolated, so that a step is as wide as a triangle. There, and where a surface
-  /// shader asks for light, edges are hard.
+  /// Tones: t = (1 + l.n) / 2, or c of kExaggerated. Not for kRamp, whose picture has its own
+  /// steps, kMatCap and kHatching. Reflection models: the light sent back by a matt surface of k_d
+  /// = 1, a colour, keeps its hue; t is its strongest channel. The unlit have none. No Fresnel
+  /// term; facets (the metallic models) are drawn as Blinn and Phong's with p = 2 / alpha^2 - 2,
+  /// k_d without the metal's share, and F_0 for k_s. Sums of irradiance are divided by pi, as a
+  /// white surface needs I = pi there. Frequencies: kFlat gives each face one step. With kGouraud
+  /// vertices are stepped and colours interpolated, so that a step is as wide as a triangle. There,
+  /// and where a surface shader asks for light, edges are hard.
   int toonBands = 0;
   ToneOverData toneOverData = ToneOverData::kClassic;  ///< where there are colours of data
   float undertone = 0.25f;                             ///< sigma, 0 to 1
@@ -204,6 +206,9 @@ struct Style {
   /// Whether it reads what lies a pixel to the right and above.
   bool readsFootprint() const { return evenOutline || toonBands >= 2 || isHatched(); }
   bool isHatched() const { return tone == Tone::kHatching && surfaceShader == nullptr; }
+  bool isExaggerated() const { return tone == Tone::kExaggerated && surfaceShader == nullptr; }
+  /// Whether kGouraud, too, is lit by each pixel.
+  bool isPerPixel() const { return isHatched() || isExaggerated(); }
 };
 
 /// Values on a mesh. Sizes: one per vertex or one per cell of the MeshView, or empty.
@@ -225,6 +230,10 @@ struct Attributes {
   /// see splitVertexNormals(). Required to be numbers of such that are there. Empty: that of the
   /// vertex.
   Span<const std::uint32_t> normalOfCorner = {};
+  /// For Tone::kExaggerated: SmoothNormals, smoothLevels of them a vertex.
+  Span<const std::uint32_t> smoothNormals = {};
+  int smoothLevels = 0;   ///< 1 to kMaxSmoothLevels, if there are any
+  float smoothRatio = 1;  ///< from a level's sigma to the next, 1 to kMaxSmoothRatio
 };
 
 /// Longest move of a hull's vertex, in widths: corners of the outline sharper than 29 degrees get

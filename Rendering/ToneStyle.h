@@ -27,7 +27,8 @@ enum class Tone : std::uint8_t {
   /// k_d T(n), a picture of a lit sphere (Sloan et al. 2001), n in the basis of v, of the axis to
   /// the right and of that upwards that are perpendicular to v. Needs Style::ramp.
   kMatCap,
-  kHatching,  ///< strokes, as dense as the light is weak; see Hatching
+  kHatching,     ///< strokes, as dense as the light is weak; see Hatching
+  kExaggerated,  ///< k_d c, detail of all sizes in grazing light; see Exaggeration
 };
 
 inline constexpr int kMetalStripes = 20;
@@ -92,5 +93,23 @@ struct Hatching {
   HatchPlace place = HatchPlace::kModel;
 };
 inline constexpr float kMaxHatchSpacing = 256;
+
+/// Tone::kExaggerated (Rusinkiewicz, Burns and DeCarlo 2006): c is a base of c_b and for the rest
+/// the mean of c_0 to c_L-1, weighed by sigma^exponent of their levels.
+///   c_b = 1/2 + n_L.l / 2 and c_i = 1/2 + clamp(contrast n_i.l_i+1, -1, 1) / 2,
+/// where l_i+1 is the part of l across n_i+1 divided by its length: light that grazes the surface
+/// as the next coarser level has it. Divided by kLeastGrazing if that is more, so that there is no
+/// spot where l and n_i+1 meet and this direction turns round; the detail fades there. n_0 is the
+/// surface's normal, as far in sigma from the first of Attributes::smoothNormals as that from the
+/// second, and n_1 to n_L are these, by (12.4) and renormalised. By each pixel, with kGouraud too;
+/// with kFlat n_0 is the face's. Where a surface shader asks for light, c is 1/2 + n.l / 2.
+struct Exaggeration {
+  float contrast = 10;  ///< a, 0 to kMaxExaggeration
+  float exponent = 0;   ///< p, -4 to 4: above 0 large shapes count more, below fine detail
+  float base = 0.4f;    ///< k_b, 0 to 1
+};
+inline constexpr float kLeastGrazing = 0.25f;
+inline constexpr float kMaxExaggeration = 1000;
+inline constexpr float kMaxExaggerationExponent = 4;
 
 }  // namespace limn

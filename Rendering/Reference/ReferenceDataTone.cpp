@@ -102,8 +102,10 @@ Vec3f undertone(const Style& style, Vec3f color, float cosine)
     const float grey = 0.5f * surface;
     return tone + Vec3f{grey, grey, grey};
   };
-  const Vec3f cool = ofGrey(style.toneCool, style.coolSurface);
-  const Vec3f warm = ofGrey(style.toneWarm, style.warmSurface);
+  const bool isExaggerated = style.tone == Tone::kExaggerated;
+  const Vec3f cool = isExaggerated ? Vec3f{0, 0, 0} : ofGrey(style.toneCool, style.coolSurface);
+  const Vec3f warm =
+      isExaggerated ? ofGrey({0, 0, 0}, 1) : ofGrey(style.toneWarm, style.warmSurface);
   const float facing = (1.0f + cosine) * 0.5f, averted = (1.0f - cosine) * 0.5f;
   return bounded(color) * (1.0f - style.undertone) +
          (warm * facing + cool * averted) * style.undertone;

@@ -360,8 +360,16 @@ class Toning {
   {
   }
 
+  /// By c of Tone::kExaggerated.
+  Vec3f exaggeratedColor(const Surface& s, float c) const
+  {
+    return tonesData_ ? dataTone(style_, s.diffuse, c + c - 1.0f) : s.diffuse * c;
+  }
+
   Vec3f color(const Surface& s, Neighbours near) const
   {
+    if (style_.tone == Tone::kExaggerated)
+      return exaggeratedColor(s, 0.5f + 0.5f * dot(light(s), s.normal));
     if (style_.tone == Tone::kHatching)
       return hatchColor(style_.hatching, s, hatchDarkness(scene_, instance_, lights_, s));
     if (style_.tone == Tone::kMatCap)
@@ -391,13 +399,14 @@ class Toning {
     return tone + scaled(s.specular, glossy);
   }
 
- private:
   /// l
   Vec3f light(const Surface& s) const
   {
     if (style_.toneLight == ToneLight::kUpperRight) return kUpperRight;
     return lights_.empty() ? Vec3f{0, 0, 1} : arrive(lights_[0], s.position, style_.fallOff).toward;
   }
+
+ private:
   /// r.v
   float reflected(const Surface& s) const
   {
@@ -583,6 +592,20 @@ class Face {
   Vec3f hatchPosition() const
   {
     return mix(point_, corner(0).high, corner(1).high, corner(2).high);
+  }
+  /// n_1 to n_L of Exaggeration.
+  std::vector<Vec3f> smoothNormals() const
+  {
+    const Attributes& data = instance_.attributes;
+    const auto levels = static_cast<std::size_t>(data.smoothLevels);
+    std::vector<Vec3f> normals;
+    for (std::size_t i = 0; i < levels; ++i) {
+      const auto corner = [&](int k) {
+        return unpackedNormal(data.smoothNormals[triangle_.vertex[k] * levels + i]);
+      };
+      normals.push_back(facing(mix(point_, corner(0), corner(1), corner(2))));
+    }
+    return normals;
   }
   /// In the mesh's own space.
   Vec3f hatchNormal() const
@@ -829,6 +852,29 @@ Vec3f hatched(const Scene& scene, const Instance& instance, const std::vector<Vi
   return hatchColor(hatching, s, ink);
 }
 
+Vec3f exaggeratedSurface(const Scene& scene, const Instance& instance,
+                         const std::vector<ViewLight>& lights, const Surface& s,
+                         const Face (&faces)[3])
+{
+  const Style& style = instance.style;
+  const bool flat = style.frequency == ShadingFrequency::kFlat;
+  const Toning toning(scene, instance, lights);
+  const auto at = [&](const Face& face, Surface surface) {
+    const std::vector<Vec3f> smooth = face.smoothNormals();
+    return exaggerated(style.exaggeration, {toning.light(surface), surface.normal, smooth,
+                                            instance.attributes.smoothRatio});
+  };
+  float c = at(faces[0], s);
+  if (style.toonBands >= 2) {
+    const auto bare = [&](const Face& face) {
+      return flat ? at(face, face.bareSurface(face.facePosition(), face.faceNormal(), {}))
+                  : at(face, face.bareSurface(face.pixelPosition(), face.pixelNormal(), {}));
+    };
+    c = stepped(c, slopeOf({bare(faces[0]), bare(faces[1]), bare(faces[2])}), style.toonBands);
+  }
+  return toning.exaggeratedColor(s, c);
+}
+
 /// Without the outline.
 Vec3f surfaceColor(const Scene& scene, const Instance& instance,
                    const std::vector<ViewLight>& lights, const SurfacePoint& point,
@@ -846,7 +892,7 @@ Vec3f surfaceColor(const Scene& scene, const Instance& instance,
     return finish(face, instance, surface.diffuse, color);
   }
   const bool gouraud = style.frequency == ShadingFrequency::kGouraud;
-  if (gouraud && !style.isHatched()) {
+  if (gouraud && !style.isPerPixel()) {
     Vec3f color[3];
     for (int i = 0; i < 3; ++i)
       color[i] = face.light(face.cornerPosition(i), face.cornerNormal(i),
@@ -861,6 +907,9 @@ Vec3f surfaceColor(const Scene& scene, const Instance& instance,
   if (style.isHatched())
     return finish(face, instance, surface.diffuse,
                   hatched(scene, instance, lights, surface, face, right, above));
+  if (style.isExaggerated())
+    return finish(face, instance, surface.diffuse,
+                  exaggeratedSurface(scene, instance, lights, surface, {face, right, above}));
   if (flat || style.toonBands < 2)
     return finish(face, instance, surface.diffuse, lightSurface(scene, instance, lights, surface));
   const Surface near[3] = {face.bareSurface(face.pixelPosition(), face.pixelNormal(), dataColor),

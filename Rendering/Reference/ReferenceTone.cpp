@@ -92,6 +92,31 @@ float metalGrey(Vec3f n, Vec3f l)
   return grey(left) + (grey(right) - grey(left)) * fraction;
 }
 
+float exaggerated(const Exaggeration& exaggeration, const ExaggeratedPoint& point)
+{
+  const float p = exaggeration.exponent;
+  const float step = p < 0.0f ? 1.0f / power(point.ratio, -p) : power(point.ratio, p);
+  float k[kMaxSmoothLevels], sum = 0.0f, next = 1.0f;
+  for (std::size_t i = 0; i < point.smooth.size(); ++i) {
+    k[i] = next;
+    sum = sum + next;
+    next = next * step;
+  }
+  float c = 0.0f;
+  Vec3f n = point.n;
+  for (std::size_t i = 0; i < point.smooth.size(); ++i) {
+    const Vec3f coarser = point.smooth[i];
+    const Vec3f across = point.l - coarser * dot(coarser, point.l);
+    const float length = std::sqrt(dot(across, across));
+    const Vec3f grazing = across * (1.0f / (length > kLeastGrazing ? length : kLeastGrazing));
+    const float a = exaggeration.contrast * dot(n, grazing);
+    const float bounded = a > -1.0f ? (a < 1.0f ? a : 1.0f) : -1.0f;
+    c = c + (k[i] / sum * (1.0f - exaggeration.base)) * (0.5f + 0.5f * bounded);
+    n = coarser;
+  }
+  return c + exaggeration.base * (0.5f + 0.5f * dot(n, point.l));
+}
+
 float rampDetail(const ToneRamp& ramp, const Camera& camera, const DetailOf& point)
 {
   switch (ramp.detail) {

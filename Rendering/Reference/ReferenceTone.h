@@ -27,6 +27,14 @@ float evenLine(ScreenValues g, float f, float width);
 /// Tone::kMetal's grey.
 float metalGrey(Vec3f n, Vec3f l);
 
+/// c of Tone::kExaggerated.
+struct ExaggeratedPoint {
+  Vec3f l, n;                ///< n_0
+  Span<const Vec3f> smooth;  ///< n_1 to n_L
+  float ratio;               ///< Attributes::smoothRatio
+};
+float exaggerated(const Exaggeration& exaggeration, const ExaggeratedPoint& point);
+
 /// D of Tone::kRamp.
 struct DetailOf {
   float depth;  ///< z

@@ -54,10 +54,11 @@ struct alignas(64) FragmentBatch {
   Pairs cornerUv[2][3];             ///< by UvUse::set
   Vectors facePosition;             ///< where it is lit, in view space; for flat frequency
   Vectors faceNormal;               ///< local; for flat frequency
-  Vectors color;                    ///< the result, before clamping
-  float alpha[kCapacity];           ///< by fadeFragments()
-  bool anyNeedsClip = false;        ///< by placeFragments()
-  int count = 0;                    ///< last, so that every array starts at a multiple of 64 bytes
+  Vectors smoothNormal[kMaxSmoothLevels][3];  ///< by smoothLevelsOf(); local
+  Vectors color;                              ///< the result, before clamping
+  float alpha[kCapacity];                     ///< by fadeFragments()
+  bool anyNeedsClip = false;                  ///< by placeFragments()
+  int count = 0;  ///< last, so that every array starts at a multiple of 64 bytes
 };
 
 /// Colours before they are clamped to bytes, one array a channel; 0 to kMaxRadiance.
@@ -101,6 +102,12 @@ struct UvUse {
   }
   bool any() const { return set[0] || set[1]; }
 };
+
+/// Levels of Attributes::smoothNormals that an instance's style reads.
+inline int smoothLevelsOf(const Instance& instance)
+{
+  return instance.style.isExaggerated() ? instance.attributes.smoothLevels : 0;
+}
 
 /// Colours of the fragments of one tile; alpha 255.
 struct TileColors {

@@ -110,8 +110,11 @@ HWY_NOINLINE Lanes3 legendSafe(const Lanes3& color, float range, const V& cosine
 HWY_NOINLINE Lanes3 undertone(const Style& style, const Lanes3& color, const V& cosine)
 {
   const float coolGrey = 0.5f * style.coolSurface, warmGrey = 0.5f * style.warmSurface;
-  const Lanes3 cool = set(style.toneCool + Vec3f{coolGrey, coolGrey, coolGrey});
-  const Lanes3 warm = set(style.toneWarm + Vec3f{warmGrey, warmGrey, warmGrey});
+  const bool isExaggerated = style.tone == Tone::kExaggerated;
+  const Lanes3 cool =
+      set(isExaggerated ? Vec3f{0, 0, 0} : style.toneCool + Vec3f{coolGrey, coolGrey, coolGrey});
+  const Lanes3 warm = set(isExaggerated ? Vec3f{0.5f, 0.5f, 0.5f}
+                                        : style.toneWarm + Vec3f{warmGrey, warmGrey, warmGrey});
   const V facing = hn::Mul(hn::Add(set(1.0f), cosine), set(0.5f));
   const V averted = hn::Mul(hn::Sub(set(1.0f), cosine), set(0.5f));
   return add(mul(bounded(color), set(1.0f - style.undertone)),

@@ -127,6 +127,7 @@ class Lighting {
         isSpecial_(isSpecial(material_, style_)),
         tonesData_(context.placed->instance->tonesData())
   {
+    if (style_.isExaggerated()) shareDetail(context.placed->instance->attributes);
   }
 
   /// Whether light() reads Surface::position.
@@ -170,6 +171,23 @@ class Lighting {
     return add(mul(mul(s.diffuse, set(hatching.paper)), hn::Sub(set(1.0f), ink)),
                mul(set(hatching.ink), ink));
   }
+  /// l of tones.
+  HWY_INLINE Lanes3 toneLight(Lanes3 position) const
+  {
+    constexpr float kSqrtHalf = 0.707106781f;
+    if (style_.toneLight == ToneLight::kUpperRight) return set(Vec3f{kSqrtHalf, kSqrtHalf, 0});
+    return lights_.empty() ? set(Vec3f{0, 0, 1})
+                           : arrive(lights_[0], position, style_.fallOff).toward;
+  }
+  /// L of Exaggeration, and how much of c is by c_i.
+  int detailLevels() const { return detailLevels_; }
+  float detailShare(int i) const { return detailShare_[i]; }
+  /// By c of Exaggeration.
+  HWY_INLINE Lanes3 exaggeratedColor(const Surface& s, V c) const
+  {
+    return tonesData_ ? dataTone(style_, s.diffuse, hn::Sub(hn::Add(c, c), set(1.0f)))
+                      : mul(s.diffuse, c);
+  }
   /// Whether light() is to be told about neighbours.
   bool readsNeighbours() const { return style_.toonBands >= 2; }
   /// light() with the edges of bands antialiased.
@@ -180,6 +198,20 @@ class Lighting {
   }
 
  private:
+  void shareDetail(const Attributes& attributes)
+  {
+    const float p = style_.exaggeration.exponent, ratio = attributes.smoothRatio;
+    const float step = p < 0.0f ? 1.0f / power(ratio, -p) : power(ratio, p);
+    float sum = 0.0f, next = 1.0f;
+    detailLevels_ = attributes.smoothLevels;
+    for (int i = 0; i < detailLevels_; ++i) {
+      detailShare_[i] = next;
+      sum = sum + next;
+      next = next * step;
+    }
+    for (int i = 0; i < detailLevels_; ++i)
+      detailShare_[i] = detailShare_[i] / sum * (1.0f - style_.exaggeration.base);
+  }
   /// Whether the highlight of a lone headlight adds 0, not 0 times infinity.
   static bool isMatt(const Material& material, const ViewLight& light)
   {
@@ -470,14 +502,7 @@ class Lighting {
                mul(withStrength(sums.specular, shine), s.specular));
   }
 
-  /// l of tones.
-  HWY_INLINE Lanes3 toneLight(const Surface& s) const
-  {
-    constexpr float kSqrtHalf = 0.707106781f;
-    if (style_.toneLight == ToneLight::kUpperRight) return set(Vec3f{kSqrtHalf, kSqrtHalf, 0});
-    return lights_.empty() ? set(Vec3f{0, 0, 1})
-                           : arrive(lights_[0], s.position, style_.fallOff).toward;
-  }
+  HWY_INLINE Lanes3 toneLight(const Surface& s) const { return toneLight(s.position); }
   /// r.v
   HWY_INLINE V reflected(const Surface& s, Lanes3 l) const
   {
@@ -499,6 +524,8 @@ class Lighting {
     if (style_.tone == Tone::kHatching) return hatchColor(s, hatchDarkness(s));
     if (style_.tone == Tone::kRamp || style_.tone == Tone::kMatCap) return painted(s);
     const Lanes3 l = toneLight(s);
+    if (style_.tone == Tone::kExaggerated)
+      return exaggeratedColor(s, hn::Add(set(0.5f), hn::Mul(set(0.5f), dot(l, s.normal))));
     const V nl = dot(l, s.normal);
     V facing = hn::Mul(hn::Add(set(1.0f), nl), set(0.5f));
     V averted = hn::Mul(hn::Sub(set(1.0f), nl), set(0.5f));
@@ -553,6 +580,8 @@ class Lighting {
   const Style& style_;
   Ramp ramp_;
   bool isLoneHeadlight_, isMatt_, isSpecial_, tonesData_;
+  int detailLevels_ = 0;
+  float detailShare_[kMaxSmoothLevels];
 };
 
 }  // namespace limn::HWY_NAMESPACE

@@ -158,6 +158,12 @@ class FragmentLanes {
     return normalized(style.normals == NormalSource::kVertex ? mix(normal(0), normal(1), normal(2))
                                                              : acrossEdges());
   }
+  /// n of a level of Attributes::smoothNormals, from 0.
+  HWY_INLINE Lanes3 smoothNormal(int level) const
+  {
+    const FragmentBatch::Vectors* const corner = batch_.smoothNormal[level];
+    return facing(mix(value(corner[0]), value(corner[1]), value(corner[2])));
+  }
   Lanes3 facePosition() const { return value(batch_.facePosition); }
   /// Of the triangle's plane, whatever the style.
   HWY_INLINE Lanes3 triangleNormal() const { return facing(acrossEdges()); }
@@ -361,7 +367,7 @@ class Shader {
       : lighting_(lighting),
         style_(context.placed->instance->style),
         layers_(context.placed->instance->layers),
-        isPlain_(layers_.empty() && !lighting.readsNeighbours() && !style_.isHatched()),
+        isPlain_(layers_.empty() && !lighting.readsNeighbours() && !style_.isPerPixel()),
         isOutlined_(style_.outlineThreshold > 0.0f || style_.evenOutline),
         lanes_(context, batch, lanes)
   {
@@ -376,13 +382,13 @@ class Shader {
   }
   bool needsCorners() const
   {
-    return style_.frequency == ShadingFrequency::kGouraud && !style_.isHatched();
+    return style_.frequency == ShadingFrequency::kGouraud && !style_.isPerPixel();
   }
   /// Whether all fragments with the same corners have the same colour.
   bool isConstant() const
   {
     return style_.frequency == ShadingFrequency::kFlat && !lanes_.vertexColored() && !isOutlined_ &&
-           layers_.empty() && !style_.isHatched();
+           layers_.empty() && !style_.isPerPixel();
   }
 
   /// Material::opacity times what Style::readsAlpha asks for; 0 to 1.
@@ -446,7 +452,7 @@ class Shader {
     const Lanes3 data = lanes_.colored() ? lanes_.pixelColor() : none();
     const Lanes3* const own = lanes_.colored() ? &data : nullptr;
     const bool gouraud = style_.frequency == ShadingFrequency::kGouraud;
-    if (gouraud && !style_.isHatched())
+    if (gouraud && !style_.isPerPixel())
       return finish(lanes_.surface(none(), none(), own).diffuse, shade());
     Surface surface =
         style_.frequency == ShadingFrequency::kFlat
@@ -455,6 +461,7 @@ class Shader {
                              lanes_.bentNormal(), own);
     if (!gouraud) lanes_.dress(surface);
     if (style_.isHatched()) return finish(surface.diffuse, hatched(surface));
+    if (style_.isExaggerated()) return finish(surface.diffuse, exaggerated(surface));
     return finish(surface.diffuse,
                   lighting_.readsNeighbours() && style_.frequency == ShadingFrequency::kPhong
                       ? lightInBands(surface)
@@ -486,6 +493,43 @@ class Shader {
     const HatchPositions positions = {lanes_.localPosition(), right.localPosition(),
                                       above.localPosition()};
     return lighting_.hatchColor(surface, hatchInModel(pen, positions, lanes_.hatchNormal()));
+  }
+  HWY_NOINLINE Lanes3 exaggerated(const Surface& surface) const
+  {
+    V c = exaggeratedTone(lanes_, surface.position, surface.normal);
+    if (style_.toonBands >= 2) {
+      const auto bare = [&](const FragmentLanes<Lanes>& lanes) HWY_ATTR {
+        return style_.frequency == ShadingFrequency::kFlat
+                   ? exaggeratedTone(lanes, lanes.facePosition(), lanes.faceNormal())
+                   : exaggeratedTone(lanes, lanes.pixelPosition(), lanes.pixelNormal());
+      };
+      const V slope = slopeOf({bare(lanes_), bare(lanes_.movedTo(lanes_.weights().right)),
+                               bare(lanes_.movedTo(lanes_.weights().above))});
+      c = stepped(c, slope, style_.toonBands);
+    }
+    return lighting_.exaggeratedColor(surface, c);
+  }
+  /// c of Exaggeration.
+  V exaggeratedTone(const FragmentLanes<Lanes>& lanes, Lanes3 position, Lanes3 normal) const
+  {
+    const Exaggeration& exaggeration = style_.exaggeration;
+    const V half = set(0.5f), contrast = set(exaggeration.contrast);
+    const Lanes3 l = lighting_.toneLight(position);
+    Lanes3 finer = normal;
+    V c = set(0.0f), nl = c;
+    for (int level = 0; level < lighting_.detailLevels(); ++level) {
+      const Lanes3 n = lanes.smoothNormal(level);
+      nl = dot(n, l);
+      const Lanes3 across = sub(l, mul(n, nl));
+      const V length = hn::Sqrt(dot(across, across)), least = set(kLeastGrazing);
+      const V divisor = hn::IfThenElse(hn::Gt(length, least), length, least);
+      const Lanes3 grazing = mul(across, hn::Div(set(1.0f), divisor));
+      const V detail = bounded(hn::Mul(contrast, dot(finer, grazing)), -1.0f, 1.0f);
+      c = hn::Add(c,
+                  hn::Mul(set(lighting_.detailShare(level)), hn::Add(half, hn::Mul(half, detail))));
+      finer = n;
+    }
+    return hn::Add(c, hn::Mul(set(exaggeration.base), hn::Add(half, hn::Mul(half, nl))));
   }
   /// What textures do after the light equation.
   Lanes3 finish(Lanes3 diffuse, Lanes3 color) const

@@ -26,6 +26,7 @@ class Gatherer {
         splitNormals_(normals_ == NormalSource::kVertex && !data_.normalOfCorner.empty()),
         readsAlpha_(placed.instance->style.readsAlpha),
         uv_(*placed.instance),
+        smoothLevels_(smoothLevelsOf(*placed.instance)),
         batch_(batch)
   {
   }
@@ -36,8 +37,8 @@ class Gatherer {
     const auto count = static_cast<std::size_t>(batch_.count);
     for (std::size_t i = 0; i < count; i += hn::Lanes(DI()))
       findCorners(i);
-    const bool readsVertices =
-        normals_ == NormalSource::kVertex || !data_.vertexColors.empty() || uv_.any();
+    const bool readsVertices = normals_ == NormalSource::kVertex || !data_.vertexColors.empty() ||
+                               uv_.any() || smoothLevels_ > 0;
     for (std::size_t i = 0; readsVertices && i < count; i += hn::Lanes(DI()))
       findVertices(i);
     for (std::size_t i = 0; i < count; i += hn::Lanes(DI()))
@@ -46,6 +47,7 @@ class Gatherer {
     for (std::size_t i = 0; readsVertices && i < count; i += hn::Lanes(DI()))
       for (int k = 0; k < 3; ++k)
         gatherVertexData(k, i);
+    if (smoothLevels_ > 0) gatherSmoothNormals(count);
     const bool cellColors = data_.vertexColors.empty() && !data_.cellColors.empty();
     if (!cellColors && normals_ != NormalSource::kCell) return;
     for (std::size_t i = 0; i < count; i += hn::Lanes(DI())) {
@@ -116,6 +118,43 @@ class Gatherer {
     if (uv_.set[0]) storePairs(data_.uv.data(), vertex, batch_.cornerUv[0][k], i);
     if (uv_.set[1]) storePairs(data_.uv2.data(), vertex, batch_.cornerUv[1][k], i);
   }
+  HWY_NOINLINE void gatherSmoothNormals(std::size_t count) const
+  {
+    const auto* const from = reinterpret_cast<const std::int32_t*>(data_.smoothNormals.data());
+    for (std::size_t i = 0; i < count; i += hn::Lanes(DI()))
+      for (int k = 0; k < 3; ++k)
+        for (int level = 0; level < smoothLevels_; ++level) {
+          const std::int32_t* const index = vertex_[k] + i;
+          const auto placeOf = [&](std::size_t lane) {
+            return std::ptrdiff_t{smoothLevels_} * index[lane] + level;
+          };
+          const auto places = [&]() HWY_ATTR {
+            return hn::Add(hn::Mul(hn::Load(DI(), index), hn::Set(DI(), smoothLevels_)),
+                           hn::Set(DI(), level));
+          };
+          storeUnpacked(gatherLanes(DI(), from, placeOf, places), batch_.smoothNormal[level][k], i);
+        }
+  }
+  /// unpackedNormal()
+  static HWY_INLINE void storeUnpacked(VI packed, FragmentBatch::Vectors& to, std::size_t i)
+  {
+    const auto unit = hn::Set(DF(), 1.0f / 32767.0f), zero = hn::Zero(DF());
+    const auto x =
+        hn::Mul(hn::ConvertTo(DF(), hn::ShiftRight<16>(hn::ShiftLeft<16>(packed))), unit);
+    const auto y = hn::Mul(hn::ConvertTo(DF(), hn::ShiftRight<16>(packed)), unit);
+    const auto z = hn::Sub(hn::Set(DF(), 1.0f), hn::Add(hn::Abs(x), hn::Abs(y)));
+    const auto fold = hn::IfThenElseZero(hn::Lt(z, zero), hn::Neg(z));
+    const auto unfolded = [&](hn::Vec<DF> v) HWY_ATTR {
+      return hn::IfThenElse(hn::Lt(v, zero), hn::Add(v, fold), hn::Sub(v, fold));
+    };
+    const auto nx = unfolded(x), ny = unfolded(y);
+    const auto squared = hn::Add(hn::Add(hn::Mul(nx, nx), hn::Mul(ny, ny)), hn::Mul(z, z));
+    const auto inverse =
+        hn::IfThenElseZero(hn::Gt(squared, zero), hn::Div(hn::Set(DF(), 1.0f), hn::Sqrt(squared)));
+    hn::Store(hn::Mul(nx, inverse), DF(), to.x + i);
+    hn::Store(hn::Mul(ny, inverse), DF(), to.y + i);
+    hn::Store(hn::Mul(z, inverse), DF(), to.z + i);
+  }
 
   static HWY_INLINE VI indices(const std::uint32_t* from, VI index)
   {
@@ -169,6 +208,7 @@ class Gatherer {
   NormalSource normals_;
   bool splitNormals_, readsAlpha_;
   UvUse uv_;
+  int smoothLevels_;
   FragmentBatch& batch_;
   alignas(64) std::int32_t place_[FragmentBatch::kCapacity];
   alignas(64) std::int32_t corner_[3][FragmentBatch::kCapacity];

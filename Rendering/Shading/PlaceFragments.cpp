@@ -23,7 +23,8 @@ bool isGatherable(const PlacedInstance& placed)
   constexpr std::size_t kReach = std::numeric_limits<std::int32_t>::max();
   return mesh.vertexCount < kReach && mesh.triangleCount < kReach &&
          mesh.meshVertexCount < kReach / 3 && mesh.meshTriangleCount < kReach / 3 &&
-         placed.instance->attributes.vertexNormals.size() < kReach / 3;
+         placed.instance->attributes.vertexNormals.size() < kReach / 3 &&
+         placed.instance->attributes.smoothNormals.size() < kReach;
 }
 
 void gatherFragments(const TileClusters& clusters, const PlacedInstance& placed,

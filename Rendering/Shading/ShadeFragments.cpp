@@ -102,6 +102,7 @@ class BatchFiller {
         readsAlpha_(placed.instance->style.readsAlpha),
         normals_(placed.instance->style.normals),
         uv_(*placed.instance),
+        smoothLevels_(smoothLevelsOf(*placed.instance)),
         batch_(batch)
   {
   }
@@ -133,6 +134,11 @@ class BatchFiller {
     if (!data_.vertexColors.empty()) setColor(data_.vertexColors[vertex], k, i);
     if (uv_.set[0]) batch_.cornerUv[0][k].set(i, data_.uv[vertex]);
     if (uv_.set[1]) batch_.cornerUv[1][k].set(i, data_.uv2[vertex]);
+    for (int level = 0; level < smoothLevels_; ++level)
+      batch_.smoothNormal[level][k].set(
+          i, unpackedNormal(
+                 data_.smoothNormals[std::size_t{vertex} * static_cast<std::size_t>(smoothLevels_) +
+                                     static_cast<std::size_t>(level)]));
   }
 
   void setColor(Rgba8 color, int k, int i) const
@@ -161,6 +167,7 @@ class BatchFiller {
   bool flat_, readsAlpha_;
   NormalSource normals_;
   UvUse uv_;
+  int smoothLevels_;
   FragmentBatch& batch_;
 };
 

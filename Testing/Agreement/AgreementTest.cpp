@@ -195,6 +195,13 @@ TEST_P(EveryTarget, HatchesLikeTheReference)
   EXPECT_GT(changedPixels, 500000u) << "strokes must show";
 }
 
+TEST_P(EveryTarget, ExaggeratesLikeTheReference)
+{
+  std::size_t changedPixels = 0;
+  ASSERT_NO_FATAL_FAILURE(compareChanges(RandomScene::Detail::kExaggerated, 300, changedPixels));
+  EXPECT_GT(changedPixels, 500000u) << "exaggeration must show";
+}
+
 TEST_P(EveryTarget, TonesColorsOfDataLikeTheReference)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};

@@ -257,7 +257,8 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
     addLines(Random(seed ^ 0x11E5u));
   const bool isShaded = detail == Detail::kShaders;
   const bool isHatched = detail == Detail::kHatching;
-  const bool isToned = detail == Detail::kTones || isHatched;
+  const bool isExaggerated = detail == Detail::kExaggerated;
+  const bool isToned = detail == Detail::kTones || isHatched || isExaggerated;
   const bool isTranslucent = detail == Detail::kTranslucent || detail == Detail::kFineTranslucent ||
                              (isToned && seed % 5 == 2);
   if (detail == Detail::kReflections || isShaded || isToned) addReflections();
@@ -267,6 +268,8 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (isTranslucent) addTranslucency();
   if (isHatched)
     addHatching();
+  else if (isExaggerated)
+    addExaggeration();
   else if (isToned)
     addTones();
   if (detail == Detail::kDataTones) addDataTones();
@@ -306,15 +309,17 @@ void RandomScene::addMesh(Random& random, Detail detail)
       detail == Detail::kFine || detail == Detail::kFineTranslucent ||
               (detail == Detail::kHulls && seed_ % 8 == 0) ||
               (detail == Detail::kLines && seed_ % 5 == 0) ||
-              ((detail == Detail::kImageLines || detail == Detail::kCues) && seed_ % 3 == 1)
+              ((detail == Detail::kImageLines || detail == Detail::kCues) && seed_ % 3 == 1) ||
+              (detail == Detail::kExaggerated && seed_ % 3 == 1)
           ? makeBumpySphere(random, *mesh)
       : detail == Detail::kHulls ? makeSolids(random, *mesh)
-      : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
-                                       detail == Detail::kTranslucent || detail == Detail::kTones ||
-                                       detail == Detail::kDataTones || detail == Detail::kLines ||
-                                       detail == Detail::kHatching ||
-                                       detail == Detail::kImageLines || detail == Detail::kCues) &&
-                                      seed_ % 2 == 0)
+      : detail == Detail::kCoarse ||
+              ((detail == Detail::kTextures || detail == Detail::kShaders ||
+                detail == Detail::kTranslucent || detail == Detail::kTones ||
+                detail == Detail::kDataTones || detail == Detail::kLines ||
+                detail == Detail::kHatching || detail == Detail::kExaggerated ||
+                detail == Detail::kImageLines || detail == Detail::kCues) &&
+               seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
@@ -583,6 +588,43 @@ void RandomScene::addHatching()
     style.hatching.darkest = random.chance(3) ? 1.0f : number(0, 1);
     if (!instance.attributes.uv.empty() && random.chance(2))
       style.hatching.place = HatchPlace::kTexture;
+  }
+}
+
+void RandomScene::addExaggeration()
+{
+  Random random(seed_ ^ 0xE4A66E8u);
+  const auto number = [&](double low, double high) {
+    return static_cast<float>(random.between(low, high));
+  };
+  if (random.chance(2)) addDataTones();
+  for (const auto& mesh : meshes_) {
+    const SmoothScales scales = {1 + static_cast<int>(random.below(kMaxSmoothLevels)),
+                                 random.chance(12) ? number(0.1, 3) : number(0.001, 0.1)};
+    const Span<const Vec3f> normals =
+        random.chance(2) ? Span<const Vec3f>(mesh->vertexNormals) : Span<const Vec3f>();
+    if (!limn::smoothNormals(mesh->view(), normals, scales, 2, mesh->smoothNormals).ok())
+      std::abort();
+  }
+  if (random.chance(4)) addNormals(random);
+  for (Instance& instance : instances_) {
+    for (const auto& mesh : meshes_) {
+      if (instance.clusters != &mesh->clusters) continue;
+      instance.attributes.smoothNormals = mesh->smoothNormals.packed;
+      instance.attributes.smoothLevels = mesh->smoothNormals.levels;
+      instance.attributes.smoothRatio = mesh->smoothNormals.ratio;
+    }
+    Style& style = instance.style;
+    if (random.chance(2)) style.frequency = ShadingFrequency::kPhong;
+    if (!random.chance(9)) style.tone = Tone::kExaggerated;
+    style.toonBands = random.chance(3) ? 2 + static_cast<int>(random.below(6)) : 0;
+    style.evenOutline = random.chance(6);
+    style.toneLight = random.chance(2) ? ToneLight::kUpperRight : ToneLight::kFirst;
+    Exaggeration& exaggeration = style.exaggeration;
+    exaggeration.contrast = random.chance(8) ? number(0, 1000) : number(0, 20);
+    exaggeration.exponent =
+        random.chance(2) ? number(-4, 4) : 1 - static_cast<float>(random.below(4));
+    exaggeration.base = random.chance(4) ? static_cast<float>(random.below(2)) : number(0, 1);
   }
 }
 

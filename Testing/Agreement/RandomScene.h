@@ -50,6 +50,7 @@ struct OwnedMesh {
   std::size_t cellCount = 0;
   FaceGeometry faces;
   SplitNormals splitNormals;
+  SmoothNormals smoothNormals;
   std::vector<Vec3d> firstCorners;
   ClusteredMesh clusters;
   HullEdges hull;
@@ -95,12 +96,13 @@ class RandomScene {
     kFineTranslucent,  ///< likewise as kFine
     /// As kAny or kCoarse, with every tone and outline; some textured, translucent or programmed.
     kTones,
-    kDataTones,   ///< as kAny or kCoarse, with tones over colours of data
-    kHulls,       ///< closed surfaces, coarse or as kFine, with inverted hulls
-    kLines,       ///< as kAny, kFine or kCoarse, with lines of all kinds
-    kHatching,    ///< as kTones, with hatching alone
-    kImageLines,  ///< as kAny, kFine or kCoarse, most with lines from the picture
-    kCues,        ///< likewise with depth cues, some with lines from the picture as well
+    kDataTones,    ///< as kAny or kCoarse, with tones over colours of data
+    kHulls,        ///< closed surfaces, coarse or as kFine, with inverted hulls
+    kLines,        ///< as kAny, kFine or kCoarse, with lines of all kinds
+    kHatching,     ///< as kTones, with hatching alone
+    kImageLines,   ///< as kAny, kFine or kCoarse, most with lines from the picture
+    kCues,         ///< likewise with depth cues, some with lines from the picture as well
+    kExaggerated,  ///< as kTones, with exaggerated shading alone, half of it over colours of data
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -124,6 +126,7 @@ class RandomScene {
   void addTones();
   void addDataTones();
   void addHatching();
+  void addExaggeration();
   void addHulls();
   void addImageLines();
   void addCues();

@@ -32,6 +32,7 @@ constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 14800548386128781990u;
 constexpr std::uint64_t kHashOfDataTones = 5431401692603874508u;
 constexpr std::uint64_t kHashOfHatching = 5579474759704979671u;
+constexpr std::uint64_t kHashOfExaggeration = 11666835032273646675u;
 constexpr std::uint64_t kHashOfHulls = 12766414417319064616u;
 
 /// FNV-1a, 64 bits.
@@ -179,6 +180,13 @@ TEST_P(SameBytes, HatchingHasTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kHatching);
   std::cout << "kHashOfHatching " << hash << '\n';
   EXPECT_EQ(hash, kHashOfHatching);
+}
+
+TEST_P(SameBytes, ExaggerationHasTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kExaggerated);
+  std::cout << "kHashOfExaggeration " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfExaggeration);
 }
 
 TEST_P(SameBytes, HullsHaveTheKnownHash)

@@ -71,6 +71,15 @@ void giveRamp(Input& input)
   input.instance().style.ramp.image = kWhite;
 }
 
+/// Of the sheet's four vertices, at two scales.
+void giveSmoothNormals(Input& input)
+{
+  static const std::uint32_t kUpwards[8] = {};
+  input.instance().style.tone = Tone::kExaggerated;
+  input.instance().attributes.smoothNormals = {kUpwards, 8};
+  input.instance().attributes.smoothLevels = 2;
+}
+
 const Mistake kFrameMistakes[] = {
     {"WidthZero", Error::kInvalidImageSize, "0 x 16", [](Input& i) { i.frame.width = 0; }},
     {"HeightZero", Error::kInvalidImageSize, "16 x 0", [](Input& i) { i.frame.height = 0; }},
@@ -271,6 +280,58 @@ const Mistake kInstanceMistakes[] = {
        i.instance().style.tone = Tone::kHatching;
        i.instance().style.hatching.place = HatchPlace::kTexture;
        i.instance().attributes.uv = {};
+     }},
+    {"ExaggerationContrastNegative", Error::kNotFinite, "exaggeration",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().style.exaggeration.contrast = -1;
+     }},
+    {"ExaggerationContrastInfinite", Error::kNotFinite, "exaggeration",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().style.exaggeration.contrast = kInfinity;
+     }},
+    {"ExaggerationExponentNan", Error::kNotFinite, "exaggeration",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().style.exaggeration.exponent = kNan;
+     }},
+    {"ExaggerationExponentTooLow", Error::kNotFinite, "exaggeration",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().style.exaggeration.exponent = -4.5f;
+     }},
+    {"ExaggerationBaseAboveOne", Error::kNotFinite, "exaggeration",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().style.exaggeration.base = 1.5f;
+     }},
+    {"ExaggerationWithoutNormals", Error::kMissingData, "exaggeration",
+     [](Input& i) { i.instance().style.tone = Tone::kExaggerated; }},
+    {"SmoothNormalsTooFew", Error::kSizeMismatch, "smooth normals",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().attributes.smoothNormals = shortened(i.instance().attributes.smoothNormals);
+     }},
+    {"SmoothNormalsWithoutLevels", Error::kNotFinite, "levels",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().attributes.smoothLevels = 0;
+     }},
+    {"SmoothNormalsOfTooManyLevels", Error::kNotFinite, "levels",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().attributes.smoothLevels = kMaxSmoothLevels + 1;
+     }},
+    {"SmoothRatioBelowOne", Error::kNotFinite, "ratio",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().attributes.smoothRatio = 0.5f;
+     }},
+    {"SmoothRatioNan", Error::kNotFinite, "ratio",
+     [](Input& i) {
+       giveSmoothNormals(i);
+       i.instance().attributes.smoothRatio = kNan;
      }},
     {"RampExponentNegative", Error::kNotFinite, "ramp",
      [](Input& i) {
