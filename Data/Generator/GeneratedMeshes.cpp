@@ -88,6 +88,44 @@ GeneratedMesh sphere(int around, int along, double radius)
   return mesh;
 }
 
+GeneratedMesh rock(int around, int along)
+{
+  constexpr struct {
+    double frequency, height;
+  } kSizes[] = {{3, 0.06}, {8, 0.024}, {20, 0.01}};
+  constexpr int kWaves = 7;
+  const auto radius = [&](Vec3d p) {
+    double sum = 1;
+    int wave = 0;
+    for (const auto& size : kSizes)
+      for (int i = 0; i < kWaves; ++i, ++wave) {
+        // Directions of Fibonacci's spiral.
+        const double y = 1 - (2 * wave + 1) / 21.0, turn = 2.399963 * wave;
+        const double r = std::sqrt(1 - y * y);
+        const double place = r * std::cos(turn) * p.x + y * p.y + r * std::sin(turn) * p.z;
+        sum += size.height * std::sin(size.frequency * (1 + 0.1 * i) * place + 1.7 * wave);
+      }
+    return sum;
+  };
+  GeneratedMesh mesh = sphere(around, along, 1);
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    const Vec3d p = vec3Cast<double>(mesh.normals[v]);
+    mesh.positions[v] = vec3Cast<float>(p * radius(p));
+  }
+  std::vector<Vec3d> sums(mesh.positions.size(), Vec3d{0, 0, 0});
+  for (const Triangle& triangle : mesh.triangles()) {
+    const auto [a, b, c] = triangle.vertex;
+    const Vec3d p = vec3Cast<double>(mesh.positions[a]);
+    const Vec3d area =
+        cross(vec3Cast<double>(mesh.positions[b]) - p, vec3Cast<double>(mesh.positions[c]) - p);
+    for (const std::uint32_t v : triangle.vertex)
+      sums[v] = sums[v] + area;
+  }
+  for (std::size_t v = 0; v < sums.size(); ++v)
+    mesh.normals[v] = vec3Cast<float>(normalized(sums[v]));
+  return mesh;
+}
+
 GeneratedMesh torus(int around, int across, double ring, double tube)
 {
   return grid(around, Ends::kJoined, across, Ends::kJoined, [&](double u, double v) {

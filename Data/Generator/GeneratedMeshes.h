@@ -23,6 +23,8 @@ struct GeneratedMesh {
 
 /// Centre at the origin; `around` columns and `along` rings of faces.
 GeneratedMesh sphere(int around, int along, double radius);
+/// The unit sphere with dents, ridges and grain: waves of three lengths in seven directions each.
+GeneratedMesh rock(int around, int along);
 /// Around the y axis; radius of the ring and of the tube.
 GeneratedMesh torus(int around, int across, double ring, double tube);
 /// A tube along the trefoil (sin t + 2 sin 2t, cos t - 2 cos 2t, -sin 3t).

@@ -223,6 +223,7 @@ int main(int argc, char* argv[])
   constexpr int kWavesSide = 48;
   writeObj(limn::teapot(10), folder + "teapot.obj");
   writePly(limn::sphere(64, 32, 1), folder + "sphere.ply");
+  writePly(limn::rock(128, 64), folder + "rock.ply");
   writeOff(limn::torus(64, 32, 1, 0.4), folder + "torus.off");
   writeStl(limn::gear(16, 0.4), folder + "gear.stl");
   writeObj(limn::knot(160, 20, 0.45), folder + "knot.obj");

@@ -99,8 +99,8 @@ int reflectionModelOf(const MaterialSettings& material)
 void setReflectance(const MaterialSettings& material, vtkLimnProperty& property)
 {
   // Colours of a picture stay what they are.
-  const bool isPainted =
-    material.tone == Tone::Ramp || material.tone == Tone::MatCap || material.tone == Tone::Hatching;
+  const bool isPainted = material.tone == Tone::Ramp || material.tone == Tone::MatCap ||
+                         material.tone == Tone::Hatching || material.tone == Tone::Exaggerated;
   const Color none = isPainted ? Color{ 1, 1, 1 } : kDefaultColor;
   const Color diffuse = material.diffuse.value_or(material.color.value_or(none));
   const Color ambient = material.ambient.value_or(diffuse);
@@ -151,6 +151,8 @@ int toneOf(Tone tone)
       return vtkLimnProperty::TONE_MAT_CAP;
     case Tone::Hatching:
       return vtkLimnProperty::TONE_HATCHING;
+    case Tone::Exaggerated:
+      return vtkLimnProperty::TONE_EXAGGERATED;
     case Tone::None:
       break;
   }
@@ -241,6 +243,15 @@ void setHatching(const MaterialSettings& material, vtkLimnProperty& property)
                            : vtkLimnProperty::HATCH_ON_MODEL);
 }
 
+void setExaggeration(const ExaggerationSettings& settings, vtkLimnProperty& property)
+{
+  property.SetExaggerationContrast(settings.contrast.value_or(property.GetExaggerationContrast()));
+  property.SetExaggerationExponent(settings.exponent.value_or(property.GetExaggerationExponent()));
+  property.SetExaggerationBase(settings.base.value_or(property.GetExaggerationBase()));
+  property.SetExaggerationLevels(settings.levels.value_or(property.GetExaggerationLevels()));
+  property.SetExaggerationScale(settings.scale.value_or(property.GetExaggerationScale()));
+}
+
 int outlineOf(Outline outline)
 {
   switch (outline)
@@ -301,6 +312,7 @@ void setIllustration(const MaterialSettings& material, vtkLimnProperty& property
                           : vtkLimnProperty::TONE_LIGHT_SCENE);
   setRamp(material, property);
   setHatching(material, property);
+  setExaggeration(material.exaggeration, property);
   if (material.cool)
   {
     property.SetCoolColor(material.cool->data());

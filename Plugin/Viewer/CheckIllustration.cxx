@@ -19,7 +19,7 @@ namespace
 bool isScale(Tone tone)
 {
   return tone != Tone::None && tone != Tone::Toon && tone != Tone::Ramp && tone != Tone::MatCap &&
-         tone != Tone::Hatching;
+         tone != Tone::Hatching && tone != Tone::Exaggerated;
 }
 
 void checkRamp(const MaterialSettings& material)
@@ -38,7 +38,7 @@ void checkRamp(const MaterialSettings& material)
 void checkToneOverData(const MaterialSettings& material)
 {
   const auto over = material.toneOverData.value_or(ToneOverData::Classic);
-  if (material.toneOverData && !isScale(material.tone))
+  if (material.toneOverData && !isScale(material.tone) && material.tone != Tone::Exaggerated)
   {
     throw UserError("--tone-over-data needs a tone; add --tone=gooch");
   }
@@ -75,6 +75,25 @@ void checkHatching(const MaterialSettings& material, bool hasLines)
     if (isGiven && material.tone != Tone::Hatching && !hasLines)
     {
       throw UserError(std::string(option) + " needs --tone=hatching or --lines=hatch");
+    }
+  }
+}
+
+void checkExaggeration(const MaterialSettings& material)
+{
+  const ExaggerationSettings& settings = material.exaggeration;
+  const std::pair<const char*, bool> options[] = {
+    { "--exaggeration-contrast", settings.contrast.has_value() },
+    { "--exaggeration-exponent", settings.exponent.has_value() },
+    { "--exaggeration-base", settings.base.has_value() },
+    { "--exaggeration-levels", settings.levels.has_value() },
+    { "--exaggeration-scale", settings.scale.has_value() },
+  };
+  for (const auto& [option, isGiven] : options)
+  {
+    if (isGiven && material.tone != Tone::Exaggerated)
+    {
+      throw UserError(std::string(option) + " needs --tone=exaggerated");
     }
   }
 }
@@ -209,20 +228,24 @@ void checkIllustration(const SceneSettings& scene)
   checkToneOverData(material);
   const bool hasHatch = std::find(lines.begin(), lines.end(), LineKind::Hatch) != lines.end();
   checkHatching(material, hasHatch);
+  checkExaggeration(material);
   if (!isScale(material.tone) && (material.cool || material.warm))
   {
     throw UserError(std::string(material.cool ? "--cool" : "--warm") +
                     " needs a tone; add --tone=gooch or --tone=gooch-chapter");
   }
-  if (material.toonSteps && !isScale(material.tone) && material.tone != Tone::Toon)
+  const bool isExaggerated = material.tone == Tone::Exaggerated;
+  if (material.toonSteps && !isScale(material.tone) && material.tone != Tone::Toon &&
+      !isExaggerated)
   {
-    throw UserError("--toon-steps needs --tone=toon, metal or one of gooch");
+    throw UserError("--toon-steps needs --tone=toon, metal, exaggerated or one of gooch");
   }
   const bool hatches = material.tone == Tone::Hatching || hasHatch;
-  if (material.toneLight && !isScale(material.tone) && material.tone != Tone::Ramp && !hatches)
+  if (material.toneLight && !isScale(material.tone) && material.tone != Tone::Ramp && !hatches &&
+      !isExaggerated)
   {
-    throw UserError(
-      "--tone-light needs --tone=gooch or hatching, --toon-ramp=FILE or --lines=hatch");
+    throw UserError("--tone-light needs --tone=gooch, hatching or exaggerated, --toon-ramp=FILE or "
+                    "--lines=hatch");
   }
   checkOutline(material);
 }

@@ -40,7 +40,7 @@ const Choices<Tone>& tones()
   static const Choices<Tone> choices = { { "none", Tone::None }, { "gooch", Tone::Gooch },
     { "gooch-chapter", Tone::GoochChapter }, { "gooch-rtr4", Tone::GoochRtr4 },
     { "gooch-orange-book", Tone::GoochOrangeBook }, { "metal", Tone::Metal },
-    { "toon", Tone::Toon }, { "hatching", Tone::Hatching } };
+    { "toon", Tone::Toon }, { "hatching", Tone::Hatching }, { "exaggerated", Tone::Exaggerated } };
   return choices;
 }
 

@@ -59,6 +59,7 @@ enum class Tone
   Ramp,   ///< by MaterialSettings::toonRamp
   MatCap, ///< by MaterialSettings::matCap
   Hatching,
+  Exaggerated,
 };
 
 enum class ToneLight
@@ -79,6 +80,16 @@ enum class ToneOverData
   Classic,
   Undertone,
   LegendSafe
+};
+
+/// Of Tone::Exaggerated; what is not given is as the property has it.
+struct ExaggerationSettings
+{
+  std::optional<double> contrast; ///< 0 to 1000
+  std::optional<double> exponent; ///< -4 to 4
+  std::optional<double> base;     ///< 0 to 1
+  std::optional<int> levels;      ///< 1 to 8
+  std::optional<double> scale;    ///< 0.0001 to 1
 };
 
 enum class HatchPlace
@@ -256,6 +267,7 @@ struct MaterialSettings
   std::optional<double> hatchDarkest;             ///< 0 to 1; likewise
   std::optional<Color> hatchPaper, hatchInk;      ///< white, black if not given
   std::optional<HatchPlace> hatchPlace;           ///< model if not given
+  ExaggerationSettings exaggeration;
   Outline outline = Outline::None;
   std::optional<Color> outlineColor;       ///< black if not given
   std::optional<double> outlineWidth;      ///< in pixels

@@ -245,13 +245,51 @@ void addHatching(OptionList& options, MaterialSettings& material)
     choose(material.hatchPlace, hatchPlaces()));
 }
 
+template <int kLow, int kHigh>
+double parseBetween(Text option, Text text)
+{
+  const double value = parseNumber(option, text);
+  if (value < kLow || value > kHigh)
+  {
+    throw UserError(option + "=" + text + " is not from " + std::to_string(kLow) + " to " +
+                    std::to_string(kHigh));
+  }
+  return value;
+}
+
+double parseScale(Text option, Text text)
+{
+  const double scale = parseNumber(option, text);
+  if (scale < 0.0001 || scale > 1)
+  {
+    throw UserError(option + "=" + text + " is not from 0.0001 to 1");
+  }
+  return scale;
+}
+
+void addExaggeration(OptionList& options, ExaggerationSettings& settings)
+{
+  options.add("--exaggeration-contrast", "a", "of each scale's detail, 0 to 1000 (10)",
+    into(settings.contrast, parseBetween<0, 1000>));
+  options.add("--exaggeration-exponent", "p",
+    "weight of scales by their size: above 0 large shapes,\nbelow fine detail, -4 to 4 (0)",
+    into(settings.exponent, parseBetween<-4, 4>));
+  options.add("--exaggeration-base", "share", "of plain light on the coarsest scale, 0 to 1 (0.4)",
+    into(settings.base, parseShare));
+  options.add("--exaggeration-levels", "n", "scales, 1 to 8 (5)",
+    [&settings](Text option, Text text) { settings.levels = parseInteger(option, text, 1, 8); });
+  options.add("--exaggeration-scale", "s",
+    "of the coarsest, in roots of the surface's area,\n0.0001 to 1 (0.06)",
+    into(settings.scale, parseScale));
+}
+
 void addTone(OptionList& options, MaterialSettings& material)
 {
   options.add("--tone", "name",
     "none, gooch (warm faces the light), gooch-chapter\n(cool faces the light), gooch-rtr4, "
     "gooch-orange-book\n(as these books have it), metal (milled), toon (the\nreflection in steps), "
     "hatching "
-    "(strokes, as dense as it\nis dark) (none)",
+    "(strokes, as dense as it\nis dark), exaggerated (detail of all sizes) (none)",
     choose(material.tone, tones()));
   options.add("--toon-steps", "n", "of light, 2 to 64 (3 with toon, else smooth)",
     [&material](Text option, Text text)
@@ -297,6 +335,7 @@ void addIllustration(OptionList& options, SceneSettings& scene)
     choose(scene.style, styles()));
   addTone(options, material);
   addHatching(options, material);
+  addExaggeration(options, material.exaggeration);
   options.add("--outline", "name",
     "none, normal (where the surface turns away), hull (a\nline around it), image (borders, steps "
     "and creases\nof the picture) (none)",

@@ -160,7 +160,7 @@ const char* vtkLimnProperty::GetVertexNormalsAsString()
 const char* vtkLimnProperty::GetToneAsString()
 {
   static const char* const names[] = { "None", "Gooch", "GoochChapter", "Toon", "Metal", "Ramp",
-    "MatCap", "Hatching" };
+    "MatCap", "Hatching", "Exaggerated" };
   return names[this->Tone];
 }
 
@@ -317,6 +317,11 @@ void vtkLimnProperty::CopyTone(vtkLimnProperty* other)
   this->SetHatchPaper(other->HatchPaper);
   this->SetHatchInk(other->HatchInk);
   this->SetHatchPlace(other->HatchPlace);
+  this->SetExaggerationContrast(other->ExaggerationContrast);
+  this->SetExaggerationExponent(other->ExaggerationExponent);
+  this->SetExaggerationBase(other->ExaggerationBase);
+  this->SetExaggerationLevels(other->ExaggerationLevels);
+  this->SetExaggerationScale(other->ExaggerationScale);
 }
 
 //------------------------------------------------------------------------------
@@ -444,6 +449,11 @@ void vtkLimnProperty::PrintTone(ostream& os, vtkIndent indent)
   os << indent;
   PrintVector(os, "HatchInk", this->HatchInk);
   os << indent << "HatchPlace: " << this->GetHatchPlaceAsString() << "\n";
+  os << indent << "ExaggerationContrast: " << this->ExaggerationContrast << "\n";
+  os << indent << "ExaggerationExponent: " << this->ExaggerationExponent << "\n";
+  os << indent << "ExaggerationBase: " << this->ExaggerationBase << "\n";
+  os << indent << "ExaggerationLevels: " << this->ExaggerationLevels << "\n";
+  os << indent << "ExaggerationScale: " << this->ExaggerationScale << "\n";
 }
 
 //------------------------------------------------------------------------------

@@ -204,7 +204,8 @@ public:
     TONE_METAL,
     TONE_RAMP,
     TONE_MAT_CAP,
-    TONE_HATCHING
+    TONE_HATCHING,
+    TONE_EXAGGERATED
   };
 
   ///@{
@@ -214,11 +215,12 @@ public:
    * way round. Metal: Gooch's scale times the stripes of a milled surface. Ramp: k_d times
    * ToonRamp's colour. MatCap: k_d times the colour that the MatCap's sphere has for the same
    * normal. Hatching: strokes of HatchInk on HatchPaper, the denser the less light all the lights
-   * send.
+   * send. Exaggerated: k_d times a grey that shows detail of all sizes, lit or not; see
+   * ExaggerationContrast.
    *
    * Toon is no scale, but ReflectionModel in ToonBands steps. Default: None.
    */
-  vtkSetClampMacro(Tone, int, TONE_NONE, TONE_HATCHING);
+  vtkSetClampMacro(Tone, int, TONE_NONE, TONE_EXAGGERATED);
   vtkGetMacro(Tone, int);
   void SetToneToNone() { this->SetTone(TONE_NONE); }
   void SetToneToGooch() { this->SetTone(TONE_GOOCH); }
@@ -228,15 +230,17 @@ public:
   void SetToneToRamp() { this->SetTone(TONE_RAMP); }
   void SetToneToMatCap() { this->SetTone(TONE_MAT_CAP); }
   void SetToneToHatching() { this->SetTone(TONE_HATCHING); }
+  void SetToneToExaggerated() { this->SetTone(TONE_EXAGGERATED); }
   const char* GetToneAsString();
   ///@}
 
   ///@{
   /**
    * Into how many even steps light is divided, after that of all lights is summed, for the tones
-   * Toon, Gooch, GoochChapter and Metal: 2 to 64. Highlights become all or nothing. Their edges are
-   * antialiased with the frequency Phong; Flat gives each face one step, and Gouraud blends steps
-   * over the triangles that they meet in. Default: 0, which is 3 for Toon and smooth for all else.
+   * Toon, Gooch, GoochChapter, Metal and Exaggerated: 2 to 64. Highlights become all or nothing.
+   * Their edges are antialiased with the frequency Phong; Flat gives each face one step, and
+   * Gouraud blends steps over the triangles that they meet in. Default: 0, which is 3 for Toon and
+   * smooth for all else.
    */
   vtkSetClampMacro(ToonBands, int, 0, 64);
   vtkGetMacro(ToonBands, int);
@@ -385,6 +389,30 @@ public:
   void SetHatchPlaceToModel() { this->SetHatchPlace(HATCH_ON_MODEL); }
   void SetHatchPlaceToTexture() { this->SetHatchPlace(HATCH_ON_TEXTURE); }
   const char* GetHatchPlaceAsString();
+  ///@}
+
+  ///@{
+  /**
+   * The tone Exaggerated (Rusinkiewicz, Burns and DeCarlo 2006): the surface's normals are smoothed
+   * over ExaggerationLevels scales, from the mean distance of neighbouring points to
+   * ExaggerationScale times the root of the surface's area (at most 32 of these distances), and
+   * each scale is lit by light that grazes the surface as the next coarser one has it. Its cosine
+   * is magnified by ExaggerationContrast and clamped; scales are weighed by their size to the power
+   * of ExaggerationExponent, so that above 0 large shapes count more and below fine detail; and
+   * ExaggerationBase is the share of the plain light of the coarsest normal. The normals are
+   * computed when the mesh changes, and take 4 bytes a point and level. The light is best
+   * perpendicular to the gaze, as ToneLight UpperRight is. Defaults: 10, 0, 0.4, 5, 0.06.
+   */
+  vtkSetClampMacro(ExaggerationContrast, double, 0.0, 1000.0);
+  vtkGetMacro(ExaggerationContrast, double);
+  vtkSetClampMacro(ExaggerationExponent, double, -4.0, 4.0);
+  vtkGetMacro(ExaggerationExponent, double);
+  vtkSetClampMacro(ExaggerationBase, double, 0.0, 1.0);
+  vtkGetMacro(ExaggerationBase, double);
+  vtkSetClampMacro(ExaggerationLevels, int, 1, 8);
+  vtkGetMacro(ExaggerationLevels, int);
+  vtkSetClampMacro(ExaggerationScale, double, 0.0001, 1.0);
+  vtkGetMacro(ExaggerationScale, double);
   ///@}
 
   ///@{
@@ -997,6 +1025,11 @@ protected:
   double HatchPaper[3] = { 1.0, 1.0, 1.0 };
   double HatchInk[3] = { 0.0, 0.0, 0.0 };
   int HatchPlace = HATCH_ON_MODEL;
+  double ExaggerationContrast = 10.0;
+  double ExaggerationExponent = 0.0;
+  double ExaggerationBase = 0.4;
+  int ExaggerationLevels = 5;
+  double ExaggerationScale = 0.06;
   int Outline = OUTLINE_NONE;
   double OutlineThreshold = 0.2;
   double OutlineWidth = 0.0;

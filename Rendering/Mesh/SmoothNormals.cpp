@@ -9,7 +9,9 @@
 #include "Rendering/Mesh/VertexNormals.h"
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -40,8 +42,7 @@ class HeatFlow {
     makeStencil();
   }
 
-  const Stencil& stencil() const { return stencil_; }
-  double area() const { return total_; }
+  Stencil takeStencil() { return std::move(stencil_); }
   /// Vertices, those in one place counted once.
   std::size_t count() const { return count_; }
 
@@ -219,6 +220,19 @@ std::vector<Field> spread(const Stencil& stencil, Field field,
   return sums;
 }
 
+/// Of a mesh of `count` vertices, those in one place counted once.
+float ratioOf(const SmoothScales& scales, std::size_t count)
+{
+  // In distances of neighbours, sqrt(2 / sqrt(3) area / count): the root of the area is
+  // sqrt(sqrt(3) / 2 count) of these.
+  const double side = std::sqrt(0.866025403784438647 * static_cast<double>(count));
+  const auto distances = static_cast<float>(scales.coarsest * side);
+  const float most = distances < kMostDistances ? distances : kMostDistances;
+  const float even =
+      scales.levels > 1 ? power(most, 1.0f / static_cast<float>(scales.levels - 1)) : 1.0f;
+  return even > kSqrtTwo ? (even < kMaxSmoothRatio ? even : kMaxSmoothRatio) : kSqrtTwo;
+}
+
 }  // namespace
 
 std::uint32_t packedNormal(Vec3d normal)
@@ -244,29 +258,23 @@ Status smoothNormals(const MeshView& mesh, Span<const Vec3f> normals, const Smoo
   smooth = {};
   EdgeTable table;
   if (Status status = buildEdgeTable(mesh, 0, threads, table); !status.ok()) return status;
+  auto flow = std::make_unique<HeatFlow>(mesh, table, threads);
+  const std::size_t count = flow->count();
+  const Stencil stencil = flow->takeStencil();
+  flow.reset();
+  // An empty list of initializers would keep the memory.
+  table.edges = std::vector<MeshEdge>();
+  smooth.ratio = ratioOf(scales, count);
   const auto levels = static_cast<std::size_t>(scales.levels);
   std::vector<std::vector<double>> coefficients(levels);
-  std::vector<Field> fields;
-  {
-    const HeatFlow flow(mesh, table, threads);
-    table.edges = {};
-    // In distances of neighbours, sqrt(2 / sqrt(3) area / count): the root of the area is
-    // sqrt(sqrt(3) / 2 count) of these.
-    const double side = std::sqrt(0.866025403784438647 * static_cast<double>(flow.count()));
-    const auto distances = static_cast<float>(scales.coarsest * side);
-    const float most = distances < kMostDistances ? distances : kMostDistances;
-    const float even =
-        scales.levels > 1 ? power(most, 1.0f / static_cast<float>(scales.levels - 1)) : 1.0f;
-    smooth.ratio = even > kSqrtTwo ? (even < kMaxSmoothRatio ? even : kMaxSmoothRatio) : kSqrtTwo;
-    double sigma = 1;
-    for (std::vector<double>& list : coefficients) {
-      // t times the fastest rate, where sigma^2 is 2 / sqrt(3) areas.
-      list = heatCoefficients(0.5 * sigma * sigma * 1.15470053837925153 * kFastestRate);
-      sigma *= static_cast<double>(smooth.ratio);
-    }
-    fields =
-        spread(flow.stencil(), normalsOfPlaces(mesh, normals, table.place), coefficients, threads);
+  double sigma = 1;
+  for (std::vector<double>& list : coefficients) {
+    // t times the fastest rate, where sigma^2 is 2 / sqrt(3) areas.
+    list = heatCoefficients(0.5 * sigma * sigma * 1.15470053837925153 * kFastestRate);
+    sigma *= static_cast<double>(smooth.ratio);
   }
+  const std::vector<Field> fields =
+      spread(stencil, normalsOfPlaces(mesh, normals, table.place), coefficients, threads);
   smooth.levels = scales.levels;
   smooth.packed.resize(mesh.vertexCount() * levels);
   parallelForEach(threads, mesh.vertexCount(), kPerTask, [&](std::size_t v) {

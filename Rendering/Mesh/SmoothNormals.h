@@ -61,7 +61,7 @@ struct SmoothNormals {
 ///
 /// Vertices in one place have one normal. It is that of `normals`, one a vertex, or where there are
 /// none the area-weighted normal. Triangles as for vertexNormals(). The same bits on any number of
-/// threads. While it runs it takes some 150 bytes a vertex and 12 a level.
+/// threads. While it runs it takes 150 to 200 bytes a vertex.
 /// Errors: those of buildEdgeTable().
 Status smoothNormals(const MeshView& mesh, Span<const Vec3f> normals, const SmoothScales& scales,
                      int threads, SmoothNormals& smooth);

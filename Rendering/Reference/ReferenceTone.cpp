@@ -96,7 +96,7 @@ float exaggerated(const Exaggeration& exaggeration, const ExaggeratedPoint& poin
 {
   const float p = exaggeration.exponent;
   const float step = p < 0.0f ? 1.0f / power(point.ratio, -p) : power(point.ratio, p);
-  float k[kMaxSmoothLevels], sum = 0.0f, next = 1.0f;
+  float k[kMaxSmoothLevels] = {}, sum = 0.0f, next = 1.0f;
   for (std::size_t i = 0; i < point.smooth.size(); ++i) {
     k[i] = next;
     sum = sum + next;

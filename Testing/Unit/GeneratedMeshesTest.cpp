@@ -64,6 +64,7 @@ void expectNormalsAgreeWithFaces(const GeneratedMesh& mesh)
 TEST(GeneratedMeshes, AreClosedAndOfTheRightGenus)
 {
   expectClosed(sphere(16, 8, 1), 2);
+  expectClosed(rock(16, 8), 2);
   expectClosed(torus(16, 8, 1, 0.4), 0);
   expectClosed(knot(60, 8, 0.4), 0);
   expectClosed(gear(12, 0.4), 0);
@@ -73,6 +74,7 @@ TEST(GeneratedMeshes, AreClosedAndOfTheRightGenus)
 TEST(GeneratedMeshes, HaveTheirOutsideOutside)
 {
   EXPECT_NEAR(volume(sphere(128, 64, 1)), 4.18879, 0.02);
+  EXPECT_NEAR(volume(rock(128, 64)), 4.18879, 0.5);
   EXPECT_NEAR(volume(torus(128, 64, 1, 0.4)), 2 * 9.8696 * 0.16, 0.02);
   EXPECT_NEAR(volume(cube()), 8.0, 1e-12);
   EXPECT_GT(volume(knot(160, 20, 0.45)), 10.0);
@@ -82,6 +84,7 @@ TEST(GeneratedMeshes, HaveTheirOutsideOutside)
 TEST(GeneratedMeshes, HaveNormalsThatFitTheirFaces)
 {
   expectNormalsAgreeWithFaces(sphere(24, 12, 2));
+  expectNormalsAgreeWithFaces(rock(128, 64));
   expectNormalsAgreeWithFaces(board(4));
   expectNormalsAgreeWithFaces(torus(24, 12, 1, 0.4));
   expectNormalsAgreeWithFaces(knot(160, 20, 0.45));

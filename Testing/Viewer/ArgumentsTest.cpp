@@ -567,7 +567,7 @@ TEST(Arguments, ValuesOfLaterVersionsAreNamedAsSuch)
     "phong, blinn-phong, irradiance, oren-nayar, metallic");
   EXPECT_EQ(renderErrorOf({ "--tone=sepia" }),
     "--tone=sepia is unknown; choose one of: none, gooch, gooch-chapter, gooch-rtr4, "
-    "gooch-orange-book, metal, toon, hatching");
+    "gooch-orange-book, metal, toon, hatching, exaggerated");
   EXPECT_EQ(renderErrorOf({ "--outline=fuzzy" }),
     "--outline=fuzzy is unknown; choose one of: none, normal, hull, image");
 }
@@ -776,6 +776,21 @@ TEST(Arguments, HatchingHasItsStrokesAndColours)
   EXPECT_EQ(material.hatchPlace, HatchPlace::Texture);
 }
 
+TEST(Arguments, ExaggerationHasItsScales)
+{
+  const MaterialSettings material =
+    parseRender({ "--tone=exaggerated", "--exaggeration-contrast=8", "--exaggeration-exponent=-2",
+                  "--exaggeration-base=0.1", "--exaggeration-levels=7", "--exaggeration-scale=0.05",
+                  "--toon-steps=4", "--tone-light=upper-right", "--tone-over-data=legend-safe" })
+      .scene.material;
+  EXPECT_EQ(material.tone, Tone::Exaggerated);
+  EXPECT_EQ(material.exaggeration.contrast, 8.0);
+  EXPECT_EQ(material.exaggeration.exponent, -2.0);
+  EXPECT_EQ(material.exaggeration.base, 0.1);
+  EXPECT_EQ(material.exaggeration.levels, 7);
+  EXPECT_EQ(material.exaggeration.scale, 0.05);
+}
+
 TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
 {
   const struct
@@ -786,15 +801,33 @@ TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
     { { "--hatch-spacing=4" }, "--hatch-spacing needs --tone=hatching or --lines=hatch" },
     { { "--tone=gooch", "--hatch-ink=1,0,0" }, "--hatch-ink needs --tone=hatching" },
     { { "--tone=hatching", "--hatch-darkest=1.5" }, "--hatch-darkest=1.5 is not from 0 to 1" },
+    { { "--exaggeration-contrast=4" }, "--exaggeration-contrast needs --tone=exaggerated" },
+    { { "--tone=gooch", "--exaggeration-scale=0.1" },
+      "--exaggeration-scale needs --tone=exaggerated" },
+    { { "--tone=exaggerated", "--exaggeration-contrast=-1" },
+      "--exaggeration-contrast=-1 is not from 0 to 1000" },
+    { { "--tone=exaggerated", "--exaggeration-exponent=5" },
+      "--exaggeration-exponent=5 is not from -4 to 4" },
+    { { "--tone=exaggerated", "--exaggeration-base=2" },
+      "--exaggeration-base=2 is not from 0 to 1" },
+    { { "--tone=exaggerated", "--exaggeration-levels=9" },
+      "--exaggeration-levels=9 is not a whole number from 1 to 8" },
+    { { "--tone=exaggerated", "--exaggeration-scale=0" },
+      "--exaggeration-scale=0 is not from 0.0001 to 1" },
+    { { "--tone=exaggerated", "--exaggeration-contrast=nan" },
+      "--exaggeration-contrast=nan is not a finite number, as in --exaggeration-contrast=1.5" },
+    { { "--cool=0,0,1", "--tone=exaggerated" },
+      "--cool needs a tone; add --tone=gooch or --tone=gooch-chapter" },
     { { "--cool=0,0,1", "--tone=hatching" },
       "--cool needs a tone; add --tone=gooch or --tone=gooch-chapter" },
-    { { "--toon-steps=3" }, "--toon-steps needs --tone=toon, metal or one of gooch" },
+    { { "--toon-steps=3" }, "--toon-steps needs --tone=toon, metal, exaggerated or one of gooch" },
     { { "--toon-steps=1", "--tone=toon" }, "--toon-steps=1 is not a whole number from 2 to 64" },
     { { "--toon-steps=65", "--tone=toon" }, "--toon-steps=65 is not a whole number from 2 to 64" },
     { { "--cool=0,0,1", "--tone=toon" },
       "--cool needs a tone; add --tone=gooch or --tone=gooch-chapter" },
     { { "--tone-light=scene", "--tone=toon" },
-      "--tone-light needs --tone=gooch or hatching, --toon-ramp=FILE or --lines=hatch" },
+      "--tone-light needs --tone=gooch, hatching or exaggerated, --toon-ramp=FILE or "
+      "--lines=hatch" },
     { { "--tone=gooch", "--matcap=a.png" }, "--matcap and --tone exclude each other; give one" },
     { { "--toon-ramp=b.png", "--matcap=a.png" },
       "--toon-ramp and --matcap exclude each other; give one" },
@@ -851,10 +884,11 @@ TEST(Arguments, HelpListsEveryServedOption)
       "--ambient-light", "--outline", "--outline-color", "--outline-width", "--outline-opacity",
       "--toon-steps", "--tone-light", "--toon-ramp", "--toon-ramp-by", "--toon-ramp-exponent",
       "--toon-ramp-range", "--matcap", "--hatch-spacing", "--hatch-darkest", "--hatch-ink",
-      "--hatch-paper", "--hatch-on", "--hatch-width", "--outline-detector", "--outline-tolerance",
-      "--outline-crease-angle", "--output-normals", "--output-depth", "--output-ids",
-      "--coloring-array", "--colormap", "--coloring-range", "--samples", "--backface-culling",
-      "--threads", "--window", "--stats" })
+      "--hatch-paper", "--hatch-on", "--exaggeration-contrast", "--exaggeration-exponent",
+      "--exaggeration-base", "--exaggeration-levels", "--exaggeration-scale", "--hatch-width",
+      "--outline-detector", "--outline-tolerance", "--outline-crease-angle", "--output-normals",
+      "--output-depth", "--output-ids", "--coloring-array", "--colormap", "--coloring-range",
+      "--samples", "--backface-culling", "--threads", "--window", "--stats" })
   {
     EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
   }

@@ -212,6 +212,14 @@ TEST_F(Render, EveryLookIsAPictureOfItsOwn)
     { "--tone=hatching", "--hatch-darkest=0.5" },
     { "--tone=hatching", "--hatch-ink=1,0,0" },
     { "--tone=hatching", "--hatch-paper=1,1,0.7" },
+    { "--tone=exaggerated" },
+    { "--tone=exaggerated", "--exaggeration-contrast=2" },
+    { "--tone=exaggerated", "--exaggeration-exponent=1" },
+    { "--tone=exaggerated", "--exaggeration-base=0.8" },
+    { "--tone=exaggerated", "--exaggeration-levels=2" },
+    { "--tone=exaggerated", "--exaggeration-scale=0.1" },
+    { "--tone=exaggerated", "--tone-light=upper-right" },
+    { "--tone=exaggerated", "--toon-steps=4" },
     { "--lines=hatch" },
     { "--lines=hatch", "--hatch-width=2" },
     { "--lines=hatch", "--hatch-spacing=12" },
@@ -399,8 +407,8 @@ TEST_F(Render, TheSameMeshInTwoFormatsIsOnePicture)
 TEST_F(Render, EveryFormatIsDrawn)
 {
   std::map<std::string, std::string> meshOfPicture;
-  for (const std::string mesh : { "teapot.obj", "sphere.ply", "torus.off", "gear.stl", "knot.obj",
-         "sine.obj", "sheet.off", "waves.vtp" })
+  for (const std::string mesh : { "teapot.obj", "sphere.ply", "rock.ply", "torus.off", "gear.stl",
+         "knot.obj", "sine.obj", "sheet.off", "waves.vtp" })
   {
     const auto [other, isNew] = meshOfPicture.emplace(draw(mesh), mesh);
     EXPECT_TRUE(isNew) << mesh << " looks like " << other->second;

@@ -228,6 +228,7 @@ TEST_F(View, KeysSwitchTheLook)
   expectChange(XK_t, "tone metal");
   expectChange(XK_t, "tone toon");
   expectChange(XK_t, "tone hatching");
+  expectChange(XK_t, "tone exaggerated");
   expectChange(XK_t, "tone none");
   expectChange(XK_o, "outline normal");
   expectChange(XK_o, "outline hull");

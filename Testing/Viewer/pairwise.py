@@ -47,6 +47,8 @@ CHOICES = {
         ["--matcap=Data/Textures/lit_sphere.png"],
         ["--tone=hatching", "--hatch-spacing=5"],
         ["--tone=hatching", "--hatch-on=texture", "--hatch-darkest=1"],
+        ["--tone=exaggerated", "--exaggeration-contrast=7"],
+        ["--tone=exaggerated", "--tone-light=upper-right", "--toon-steps=4"],
     ],
     "texture": [
         [],

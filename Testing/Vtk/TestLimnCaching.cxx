@@ -245,6 +245,53 @@ void checkWhatIsPreparedAnew()
   CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 6);
 }
 
+void checkExaggerationFollowsItsMesh()
+{
+  Stage stage;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(24);
+  sphere->SetPhiResolution(24);
+  sphere->Update();
+  vtkNew<vtkPolyData> data;
+  data->DeepCopy(sphere->GetOutput());
+  stage.Mapper->SetInputData(data);
+  auto* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+  property->SetToneToExaggerated();
+  property->SetToneLightToUpperRight();
+  const Picture smooth = render(stage.Window);
+  CHECK(smooth == render(stage.Window));
+  // A dent, with normals that stay, then normals that change.
+  for (vtkIdType i = 100; i < 160; i += 3)
+  {
+    double p[3];
+    data->GetPoint(i, p);
+    data->GetPoints()->SetPoint(i, 0.9 * p[0], 0.9 * p[1], 0.9 * p[2]);
+  }
+  data->GetPoints()->Modified();
+  const Picture dented = render(stage.Window);
+  CHECK(!(dented == smooth));
+  CHECK(dented == pictureOfACopy(stage, data));
+  vtkDataArray* const normals = data->GetPointData()->GetNormals();
+  for (vtkIdType i = 100; i < 160; i += 3)
+  {
+    normals->SetTuple3(i, 0, 0, 1);
+  }
+  normals->Modified();
+  const Picture turned = render(stage.Window);
+  CHECK(!(turned == dented));
+  CHECK(turned == pictureOfACopy(stage, data));
+  // Each scale and number of levels has normals of its own.
+  property->SetExaggerationScale(0.2);
+  const Picture coarse = render(stage.Window);
+  CHECK(!(coarse == turned));
+  property->SetExaggerationScale(0.06);
+  CHECK(turned == render(stage.Window));
+  property->SetExaggerationLevels(2);
+  CHECK(!(turned == render(stage.Window)));
+  data->GetPointData()->SetNormals(nullptr);
+  CHECK(render(stage.Window) == pictureOfACopy(stage, data));
+}
+
 // VTK resets a mapper's bounds while there is no input.
 void checkInputTakenAwayAndGivenBack()
 {
@@ -268,6 +315,7 @@ int TestLimnCaching(int, char*[])
   checkReplacedData();
   checkDataModifiedByObserver();
   checkWhatIsPreparedAnew();
+  checkExaggerationFollowsItsMesh();
   checkInputTakenAwayAndGivenBack();
   return result();
 }

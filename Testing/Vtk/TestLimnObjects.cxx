@@ -139,6 +139,11 @@ void checkPropertyCopy()
   property->SetHatchPaper(0.9, 0.8, 0.7);
   property->SetHatchInk(0.1, 0.2, 0.3);
   property->SetHatchPlaceToTexture();
+  property->SetExaggerationContrast(6.5);
+  property->SetExaggerationExponent(0.75);
+  property->SetExaggerationBase(0.55);
+  property->SetExaggerationLevels(7);
+  property->SetExaggerationScale(0.045);
   property->CreaseLinesOn();
   property->BorderLinesOn();
   property->NonManifoldLinesOn();

@@ -326,6 +326,19 @@ void checkTones()
     property->SetHatchDarkest(1);
   };
   CHECK_EQUAL(colorWith(0, inked), (Pixel{ 51, 0, 102 }));
+  // The plane has no detail, and its light is 1/2 + n.l / 2.
+  const auto detail = [](vtkLimnProperty* property)
+  {
+    property->SetToneToExaggerated();
+    property->SetExaggerationBase(0);
+  };
+  CHECK_EQUAL(colorWith(1, detail), (Pixel{ 128, 76, 26 }));
+  const auto base = [](vtkLimnProperty* property)
+  {
+    property->SetToneToExaggerated();
+    property->SetExaggerationBase(1);
+  };
+  CHECK_EQUAL(colorWith(1, base), (Pixel{ 255, 153, 51 }));
   const auto aside = [](vtkLimnProperty* property)
   {
     property->SetToneToGooch();

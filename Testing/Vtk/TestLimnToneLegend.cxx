@@ -144,6 +144,10 @@ void checkEachMode()
   checkColorsOfASphere(stage);
   stage.Property->SetToneToGoochChapter();
   checkColorsOfASphere(stage);
+  // A legend has no detail.
+  stage.Property->SetToneToExaggerated();
+  stage.Property->SetExaggerationBase(1);
+  checkColorsOfASphere(stage);
 }
 
 /// Scalars that are interpolated before they are mapped come as a texture.

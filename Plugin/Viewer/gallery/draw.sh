@@ -114,6 +114,10 @@ draw knot_toon_ramp "X-Toon: far parts lose their contrast" "$meshes/knot.obj" \
 draw teapot_matcap "A picture of a lit sphere" "$teapot" --matcap=Data/Textures/lit_sphere.png
 draw knot_hatching "Hatching, as dense as it is dark" "$meshes/knot.obj" --tone=hatching "$lamp" "$dim" \
   --outline=normal --outline-width=1.5 --samples=8
+draw rock_lambert "A rock by Lambert's cosine: half of it is black" "$meshes/rock.ply" --reflection=lambert --color=1,1,1 \
+  --light=directional:-1,-1,-0.6:1,1,1
+draw rock_exaggerated "Exaggerated shading by the same light: dents, ridges and grain on both sides" "$meshes/rock.ply" \
+  --tone=exaggerated --light=directional:-1,-1,-0.6:1,1,1 --samples=8
 draw teapot_hull "Outline by inverted hull, equally wide" \
   "$teapot" --reflection=none --specular=0,0,0 --color=1,1,1 --outline=hull --outline-width=3 --samples=8
 draw knot_gooch_hull "Gooch with such an outline" "$meshes/knot.obj" --tone=gooch --outline=hull \

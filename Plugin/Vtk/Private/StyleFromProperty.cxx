@@ -133,6 +133,8 @@ Tone toTone(int tone)
       return Tone::kMatCap;
     case vtkLimnProperty::TONE_HATCHING:
       return Tone::kHatching;
+    case vtkLimnProperty::TONE_EXAGGERATED:
+      return Tone::kExaggerated;
     default:
       return Tone::kNone;
   }
@@ -222,6 +224,13 @@ Hatching hatchingOf(vtkLimnProperty* property)
   return hatching;
 }
 
+Exaggeration exaggerationOf(vtkLimnProperty* property)
+{
+  return { static_cast<float>(property->GetExaggerationContrast()),
+    static_cast<float>(property->GetExaggerationExponent()),
+    static_cast<float>(property->GetExaggerationBase()) };
+}
+
 void setTone(vtkLimnProperty* property, Style& style)
 {
   style.tone = toTone(property->GetTone());
@@ -238,6 +247,7 @@ void setTone(vtkLimnProperty* property, Style& style)
   style.legendSafeRange = static_cast<float>(property->GetLegendSafeRange());
   style.ramp = rampOf(property);
   style.hatching = hatchingOf(property);
+  style.exaggeration = exaggerationOf(property);
   if (style.tone == Tone::kRamp || style.tone == Tone::kMatCap)
   {
     // That it could not be loaded has been said.
@@ -465,6 +475,23 @@ std::string unusableHatchingOf(vtkLimnProperty* property)
   return {};
 }
 
+std::string unusableExaggerationOf(vtkLimnProperty* property)
+{
+  const std::pair<const char*, double> all[] = { { "ExaggerationContrast",
+                                                   property->GetExaggerationContrast() },
+    { "ExaggerationExponent", property->GetExaggerationExponent() },
+    { "ExaggerationBase", property->GetExaggerationBase() },
+    { "ExaggerationScale", property->GetExaggerationScale() } };
+  for (const auto& [name, value] : all)
+  {
+    if (!std::isfinite(value))
+    {
+      return fault(property, name, value, "a finite number");
+    }
+  }
+  return {};
+}
+
 /// Of lines, whether any are drawn or not.
 std::string unusableStrokeValueOf(vtkProperty* property)
 {
@@ -572,7 +599,8 @@ std::string unusableValueOf(vtkProperty* property)
   }
   for (const std::string& unusable :
     { limn ? unusableToneOf(limn) : std::string(), limn ? unusableHatchingOf(limn) : std::string(),
-      unusableStrokeValueOf(property), unusableCueOf(property) })
+      limn ? unusableExaggerationOf(limn) : std::string(), unusableStrokeValueOf(property),
+      unusableCueOf(property) })
   {
     if (!unusable.empty())
     {
@@ -658,6 +686,13 @@ SurfaceNeeds needsOf(vtkProperty* property)
     needs.faceGeometry = true;
     needs.firstCorners = vtkLimnProperty::SafeDownCast(property)->GetFlatPoint() ==
                          vtkLimnProperty::FLAT_AT_FIRST_VERTEX;
+  }
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  if (limn && limn->GetTone() == vtkLimnProperty::TONE_EXAGGERATED && !limn->GetSurfaceShader())
+  {
+    needs.smoothNormals = true;
+    needs.smoothScales = { limn->GetExaggerationLevels(),
+      static_cast<float>(limn->GetExaggerationScale()) };
   }
   return needs;
 }

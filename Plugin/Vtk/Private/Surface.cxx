@@ -245,6 +245,10 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
   {
     normals.push_back(std::move(computed));
   }
+  if (auto smooth = mesh.smoothNormals())
+  {
+    normals.push_back(std::move(smooth));
+  }
   if (textures)
   {
     textures->apply(surface.actor, surface.mapper, data, instance);

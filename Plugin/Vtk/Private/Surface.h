@@ -50,7 +50,7 @@ struct CollectedSurfaces
 CollectedSurfaces surfacesOf(vtkRenderer* renderer, Assemblies assemblies);
 
 /// Normals that instances borrow while another actor of the same mapper may have other ones made.
-using FrameNormals = std::vector<std::shared_ptr<const SplitNormals>>;
+using FrameNormals = std::vector<std::shared_ptr<const void>>;
 
 /// The surface as an instance of a scene, borrowing from the mapper, from `normals`, to which this
 /// adds, and from `textures`, without textures if that is nullptr. False, with a message, if there

@@ -93,6 +93,8 @@ Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
   ++geometryChanges_;
   computed_.clear();
   normals_.reset();
+  smoothed_.clear();
+  smooth_.reset();
   faces_ = {};
   hull_ = {};
   hasHull_ = false;
@@ -146,6 +148,44 @@ Status SurfaceMesh::computeNormals(const NormalChoice& choice, int threads)
   return {};
 }
 
+bool SurfaceMesh::SmoothVersion::operator==(const SmoothVersion& other) const
+{
+  return scales == other.scales && normals == other.normals && time == other.time;
+}
+
+SurfaceMesh::SmoothVersion SurfaceMesh::smoothVersionOf(
+  vtkPolyData* data, const SurfaceNeeds& needs) const
+{
+  vtkDataArray* const array = data->GetPointData()->GetNormals();
+  const bool isGiven = needs.normals.fromData && !this->givenNormals().empty();
+  return { needs.smoothScales, isGiven ? this->givenNormals().data() : nullptr,
+    isGiven && array ? array->GetMTime() : 0 };
+}
+
+bool SurfaceMesh::isKept(const SmoothVersion& version) const
+{
+  return std::any_of(smoothed_.begin(), smoothed_.end(),
+    [&](const Smoothed& one) { return one.version == version; });
+}
+
+Status SurfaceMesh::computeSmoothNormals(const SmoothVersion& version, int threads)
+{
+  auto smooth = std::make_shared<SmoothNormals>();
+  const Span<const Vec3f> given = version.normals ? this->givenNormals() : Span<const Vec3f>();
+  if (const Status status =
+        limn::smoothNormals(this->view(), given, version.scales, threads, *smooth);
+      !status.ok())
+  {
+    return status;
+  }
+  if (smoothed_.size() == kMostComputedNormals)
+  {
+    smoothed_.erase(smoothed_.begin());
+  }
+  smoothed_.push_back({ version, std::move(smooth) });
+  return {};
+}
+
 Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
 {
   // Points that were moved without their normals need new ones.
@@ -155,9 +195,12 @@ Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int thr
   const bool lacksNormals = computesNormals && !this->isKept(needs.normals);
   const bool lacksFaces = needs.faceGeometry && faces_.centroid.empty();
   const bool lacksCorners = needs.firstCorners && firstCorners_.empty();
+  const SmoothVersion smoothVersion = this->smoothVersionOf(data, needs);
+  const bool lacksSmooth = needs.smoothNormals && !this->isKept(smoothVersion);
   const bool lacksTriangles = surface_.triangles.empty() && !this->isEmpty();
   const bool keepsTriangles = needs.triangles || needs.hull;
-  if (lacksTriangles && (lacksNormals || lacksFaces || lacksCorners || keepsTriangles))
+  if (lacksTriangles &&
+      (lacksNormals || lacksFaces || lacksCorners || lacksSmooth || keepsTriangles))
   {
     surface_ = trianglesFromPolyData(data, threads);
   }
@@ -175,6 +218,21 @@ Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int thr
       [&](const Computed& one) { return one.choice == needs.normals; });
     std::rotate(chosen, chosen + 1, computed_.end());
     normals_ = computed_.back().normals;
+  }
+  if (lacksSmooth)
+  {
+    if (const Status status = this->computeSmoothNormals(smoothVersion, threads); !status.ok())
+    {
+      return status;
+    }
+  }
+  smooth_.reset();
+  if (needs.smoothNormals)
+  {
+    const auto chosen = std::find_if(smoothed_.begin(), smoothed_.end(),
+      [&](const Smoothed& one) { return one.version == smoothVersion; });
+    std::rotate(chosen, chosen + 1, smoothed_.end());
+    smooth_ = smoothed_.back().normals;
   }
   if (lacksFaces)
   {
@@ -261,6 +319,12 @@ void SurfaceMesh::describe(Instance& instance) const
   {
     attributes.vertexNormals = normals_->normals;
     attributes.normalOfCorner = normals_->ofCorner;
+  }
+  if (smooth_)
+  {
+    attributes.smoothNormals = smooth_->packed;
+    attributes.smoothLevels = smooth_->levels;
+    attributes.smoothRatio = smooth_->ratio;
   }
   attributes.cellNormals = this->cellNormals();
   if (colors_)

@@ -10,6 +10,7 @@
 #include "Rendering/Base/Status.h"
 #include "Rendering/Mesh/FaceGeometry.h"
 #include "Rendering/Mesh/HullEdges.h"
+#include "Rendering/Mesh/SmoothNormals.h"
 #include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Scene.h"
 
@@ -46,6 +47,8 @@ struct SurfaceNeeds
   bool firstCorners = false; ///< to light faces at, in place of their centroids
   bool triangles = false;    ///< for the reference renderer, and lines
   bool hull = false;         ///< implies `triangles`
+  bool smoothNormals = false;
+  SmoothScales smoothScales;
 };
 
 /// What one mapper keeps of its input between frames. Geometry is prepared anew only when cells are
@@ -65,8 +68,11 @@ public:
   /// Normals that update() computed last; keep them while an instance has them.
   std::shared_ptr<const SplitNormals> computedNormals() const { return normals_; }
 
+  /// Likewise of normals at several scales; null if update() was asked for none.
+  std::shared_ptr<const SmoothNormals> smoothNormals() const { return smooth_; }
+
   /// Sets the instance's geometry and attributes as the last update() asked for them; they are
-  /// valid until the data changes, but for computedNormals().
+  /// valid until the data changes, but for computedNormals() and smoothNormals().
   void describe(Instance& instance) const;
   /// Likewise of the instance that draws the hull. Requires: the last update() asked for it.
   void describeHull(Instance& instance) const;
@@ -109,6 +115,18 @@ private:
   bool isKept(const NormalChoice& choice) const;
   Status computeNormals(const NormalChoice& choice, int threads);
   void updateNormals(vtkPolyData* data);
+  /// What normals at several scales are made from, the geometry apart.
+  struct SmoothVersion
+  {
+    SmoothScales scales;
+    const void* normals = nullptr; ///< of the data; null: their own
+    vtkMTimeType time = 0;
+
+    bool operator==(const SmoothVersion& other) const;
+  };
+  SmoothVersion smoothVersionOf(vtkPolyData* data, const SurfaceNeeds& needs) const;
+  bool isKept(const SmoothVersion& version) const;
+  Status computeSmoothNormals(const SmoothVersion& version, int threads);
   MeshView view() const;
   bool isMoved() const { return moved_ && moved_->areMoved(); }
   /// Without those that were made for want of others; what moved triangles have outgrown is none.
@@ -136,6 +154,13 @@ private:
   };
   std::vector<Computed> computed_; ///< the last used last
   std::shared_ptr<const SplitNormals> normals_;
+  struct Smoothed
+  {
+    SmoothVersion version;
+    std::shared_ptr<const SmoothNormals> normals;
+  };
+  std::vector<Smoothed> smoothed_; ///< the last used last
+  std::shared_ptr<const SmoothNormals> smooth_;
   FaceGeometry faces_;
   HullEdges hull_;
   bool hasHull_ = false; ///< the above is of the geometry

@@ -27,6 +27,7 @@ struct SquareSheet
   std::vector<std::uint32_t> cells;
   std::vector<Rgba8> colors;
   std::vector<Vec3f> normals;
+  std::vector<std::uint32_t> packedNormals; ///< by corner
   std::vector<Vec3d> places;
   ClusteredMesh clusters;
 
@@ -64,7 +65,10 @@ SquareSheet makeSheet(const ToneLegendRequest& request)
     {
       addSquare(sheet, static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
       sheet.colors.push_back(request.colors[column]);
-      sheet.normals.push_back(normalOfRow(row, request.rows));
+      const Vec3f normal = normalOfRow(row, request.rows);
+      sheet.normals.push_back(normal);
+      sheet.packedNormals.insert(
+        sheet.packedNormals.end(), 4, packedNormal(vec3Cast<double>(normal)));
     }
   }
   sheet.places.resize(sheet.normals.size());
@@ -86,6 +90,7 @@ void setLook(vtkProperty* property, Instance& instance)
   instance.style.toneLight = ToneLight::kFirst;
   instance.style.toneHighlight = ToneHighlight::kNone;
   instance.style.hatching.place = HatchPlace::kModel;
+  instance.style.exaggeration.base = 1;
 }
 
 } // namespace
@@ -107,6 +112,8 @@ Status drawToneLegend(const ToneLegendRequest& request, std::vector<Rgba8>& pixe
   instance.attributes.cellCount = sheet.normals.size();
   instance.attributes.facePoints = sheet.places;
   instance.attributes.faceNormals = sheet.normals;
+  instance.attributes.smoothNormals = sheet.packedNormals;
+  instance.attributes.smoothLevels = 1;
 
   const Light headlight;
   Scene scene;
