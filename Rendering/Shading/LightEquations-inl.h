@@ -112,7 +112,10 @@ HWY_INLINE Lanes3 withStrength(Lanes3 color, V strength)
 class Lighting {
  public:
   /// Surfaces where the normal is without bumps, a pixel to the right and a pixel above.
-  using Neighbours = Surface[3];
+  struct Place {
+    Lanes3 position, normal;
+  };
+  using Neighbours = Place[3];
 
   explicit Lighting(const ShadingContext& context)
       : camera_(context.scene->scene->camera),
@@ -125,7 +128,8 @@ class Lighting {
                          style_.toonBands < 2 && hasLoneHeadlight()),
         isMatt_(isLoneHeadlight_ && isMatt(material_, lights_[0])),
         isSpecial_(isSpecial(material_, style_)),
-        tonesData_(context.placed->instance->tonesData())
+        tonesData_(context.placed->instance->tonesData()),
+        hasToneHighlight_(!tonesData_ && hasToneHighlight(material_, style_))
   {
     if (style_.isExaggerated()) shareDetail(context.placed->instance->attributes);
   }
@@ -133,8 +137,16 @@ class Lighting {
   /// Whether light() reads Surface::position.
   bool readsPosition() const
   {
-    return style_.tone != Tone::kNone ||
-           (style_.reflection != Reflection::kNone && !isLoneHeadlight_);
+    switch (style_.tone) {
+      case Tone::kNone:
+        return style_.reflection != Reflection::kNone && !isLoneHeadlight_;
+      case Tone::kGooch:
+      case Tone::kGoochChapter:
+      case Tone::kMetal:
+        return hasToneHighlight_ || style_.toneLight != ToneLight::kUpperRight;
+      default:
+        return true;
+    }
   }
 
   HWY_INLINE Lanes3 towardEye(Lanes3 position) const
@@ -215,10 +227,21 @@ class Lighting {
   /// Whether the highlight of a lone headlight adds 0, not 0 times infinity.
   static bool isMatt(const Material& material, const ViewLight& light)
   {
-    constexpr float kMostPower = 1e6f, kMostColor = 1e30f;
-    const auto most = [](Vec3f v) { return std::max({v.x, v.y, v.z}); };
-    return (material.specular == 0.0f || most(material.specularColor) == 0.0f) &&
-           material.specularPower <= kMostPower && most(light.color) <= kMostColor;
+    constexpr float kMostColor = 1e30f;
+    return isMatt(material) && mostOf(light.color) <= kMostColor;
+  }
+  static bool isMatt(const Material& material)
+  {
+    constexpr float kMostPower = 1e6f;
+    return (material.specular == 0.0f || mostOf(material.specularColor) == 0.0f) &&
+           material.specularPower <= kMostPower;
+  }
+  static float mostOf(Vec3f v) { return std::max({v.x, v.y, v.z}); }
+  /// Whether a tone's highlight adds more than 0.
+  static bool hasToneHighlight(const Material& material, const Style& style)
+  {
+    return style.toneHighlight == ToneHighlight::kWhite ||
+           (style.toneHighlight != ToneHighlight::kNone && !isMatt(material));
   }
   /// Whether more than the chapter's own models is asked for.
   static bool isSpecial(const Material& material, const Style& style)
@@ -472,6 +495,12 @@ class Lighting {
     const Lanes3 color = set(lights_[0].color);
     return {mul(color, df), mul(color, powerOf(df, s.power))};
   }
+  static HWY_INLINE Surface movedTo(const Place& place, Surface s)
+  {
+    s.position = place.position;
+    s.normal = place.normal;
+    return s;
+  }
   /// A reflection model in bands; see ReferenceShading.cpp.
   HWY_NOINLINE Lanes3 banded(const Surface& bare, const Neighbours* near) const
   {
@@ -491,7 +520,7 @@ class Lighting {
     V mattSlope = set(0.0f), glossySlope = mattSlope;
     if (near != nullptr) {
       for (int i = 0; i < 3; ++i)
-        measure(i + 1, (*near)[i]);
+        measure(i + 1, movedTo((*near)[i], bare));
       mattSlope = slopeOf({matt[1], matt[2], matt[3]});
       glossySlope = slopeOf({glossy[1], glossy[2], glossy[3]});
     }
@@ -511,7 +540,6 @@ class Lighting {
   }
   HWY_INLINE V toneHighlight(const Surface& s, Lanes3 l) const
   {
-    if (style_.toneHighlight == ToneHighlight::kNone) return set(0.0f);
     if (style_.toneHighlight == ToneHighlight::kWhite)
       return bounded(hn::Sub(hn::Mul(set(100.0f), reflected(s, l)), set(97.0f)), 0.0f, 1.0f);
     const Lanes3 v = towardEye(s.position);
@@ -529,8 +557,8 @@ class Lighting {
     const V nl = dot(l, s.normal);
     V facing = hn::Mul(hn::Add(set(1.0f), nl), set(0.5f));
     V averted = hn::Mul(hn::Sub(set(1.0f), nl), set(0.5f));
-    V highlight = toneHighlight(s, l);
-    if (style_.toonBands >= 2) stepTone(near, facing, averted, highlight);
+    V highlight = hasToneHighlight_ ? toneHighlight(s, l) : set(0.0f);
+    if (style_.toonBands >= 2) stepTone(s, near, facing, averted, highlight);
     if (tonesData_) {
       const V d = style_.toonBands >= 2 ? hn::Sub(facing, averted) : nl;
       return dataTone(style_, s.diffuse, style_.tone == Tone::kGoochChapter ? hn::Neg(d) : d);
@@ -540,28 +568,29 @@ class Lighting {
     Lanes3 tone = style_.tone == Tone::kGoochChapter ? add(mul(cool, facing), mul(warm, averted))
                                                      : add(mul(warm, facing), mul(cool, averted));
     if (style_.tone == Tone::kMetal) tone = mul(tone, metalGrey(s.normal, l));
-    if (style_.toneHighlight == ToneHighlight::kNone) return tone;
+    if (!hasToneHighlight_) return tone;
     if (style_.toneHighlight == ToneHighlight::kWhite)
       return add(mul(tone, hn::Sub(set(1.0f), highlight)), {highlight, highlight, highlight});
     return add(tone, mul(s.specular, highlight));
   }
-  HWY_NOINLINE void stepTone(const Neighbours* near, V& facing, V& averted, V& highlight) const
+  HWY_NOINLINE void stepTone(const Surface& s, const Neighbours* near, V& facing, V& averted,
+                             V& highlight) const
   {
     V slope = set(0.0f), shineSlope = slope;
     if (near != nullptr) {
       V t[3], shine[3];
       for (int i = 0; i < 3; ++i) {
-        const Surface& at = (*near)[i];
-        const Lanes3 l = toneLight(at);
+        const Place& at = (*near)[i];
+        const Lanes3 l = toneLight(at.position);
         t[i] = hn::Mul(hn::Add(set(1.0f), dot(l, at.normal)), set(0.5f));
-        shine[i] = toneHighlight(at, l);
+        if (hasToneHighlight_) shine[i] = toneHighlight(movedTo(at, s), l);
       }
       slope = slopeOf({t[0], t[1], t[2]});
-      shineSlope = slopeOf({shine[0], shine[1], shine[2]});
+      if (hasToneHighlight_) shineSlope = slopeOf({shine[0], shine[1], shine[2]});
     }
     facing = stepped(facing, slope, style_.toonBands);
     averted = hn::Sub(set(1.0f), facing);
-    highlight = onOff(highlight, shineSlope);
+    if (hasToneHighlight_) highlight = onOff(highlight, shineSlope);
   }
   /// By a picture.
   HWY_NOINLINE Lanes3 painted(const Surface& s) const
@@ -579,7 +608,7 @@ class Lighting {
   const Material& material_;
   const Style& style_;
   Ramp ramp_;
-  bool isLoneHeadlight_, isMatt_, isSpecial_, tonesData_;
+  bool isLoneHeadlight_, isMatt_, isSpecial_, tonesData_, hasToneHighlight_;
   int detailLevels_ = 0;
   float detailShare_[kMaxSmoothLevels];
 };

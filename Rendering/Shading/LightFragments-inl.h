@@ -473,12 +473,13 @@ class Shader {
     const FragmentLanes<Lanes> right = lanes_.movedTo(weights.right);
     const FragmentLanes<Lanes> above = lanes_.movedTo(weights.above);
     const auto at = [&](const FragmentLanes<Lanes>& lanes) HWY_ATTR {
-      Surface moved = surface;
-      moved.position = lanes.pixelPosition();
-      moved.normal = lanes.pixelNormal();
-      return moved;
+      return Lighting::Place{lighting_.readsPosition() ? lanes.pixelPosition() : none(),
+                             lanes.pixelNormal()};
     };
-    const Surface near[3] = {at(lanes_), at(right), at(above)};
+    // With textures the surface's own normal may have bumps.
+    const Lighting::Place near[3] = {
+        layers_.empty() ? Lighting::Place{surface.position, surface.normal} : at(lanes_), at(right),
+        at(above)};
     return lighting_.light(surface, near);
   }
   HWY_NOINLINE Lanes3 hatched(const Surface& surface) const
