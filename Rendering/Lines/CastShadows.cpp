@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/CastShadows.h"
 
+#include "Rendering/Lines/MendBorder.h"
 #include "Rendering/Lines/ShadowPlane.h"
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
 
 #include <algorithm>
@@ -13,7 +14,8 @@
 namespace limn {
 namespace {
 
-constexpr std::size_t kEdgesPerTask = 512;
+constexpr std::size_t kCastersPerTask = 32;
+
 /// The part of an edge that a cone holds.
 bool clipToCone(const LightRays& light, Vec3d a, Vec3d b, double& low, double& high)
 {
@@ -49,9 +51,9 @@ bool clipToCone(const LightRays& light, Vec3d a, Vec3d b, double& low, double& h
   return low < high;
 }
 
-class ShadowCaster {
+class ShadowFinder {
  public:
-  ShadowCaster(const WorldMesh& world, const TriangleTree& tree, const LightRays& light,
+  ShadowFinder(const WorldMesh& world, const TriangleTree& tree, const LightRays& light,
                Span<const double> creaseDegrees)
       : world_(world), tree_(tree), light_(light)
   {
@@ -59,48 +61,43 @@ class ShadowCaster {
       cosine_.push_back(cosineOfDegrees(degrees));
   }
 
-  void cast(std::uint32_t edge, std::vector<ShadowPiece>& pieces)
+  void cast(const ShadowCaster& caster, std::uint32_t number, std::vector<ShadowPiece>& pieces)
   {
-    const WorldEdge& e = world_.edges[edge];
-    const Vec3d a = world_.points[e.point[0]], b = world_.points[e.point[1]];
-    const HalfPlane plane(light_, a, b, world_.size);
+    const HalfPlane plane(light_, caster.end[0], caster.end[1], world_.size);
     double low, high;
-    if (!plane.isProper() || !isFold(e, plane) || !clipToCone(light_, a, b, low, high)) return;
-    gather(e, plane);
+    if (!plane.isProper() || !clipToCone(light_, caster.end[0], caster.end[1], low, high)) return;
+    gather(caster, plane);
     slices_.clear();
     for (const std::uint32_t t : found_)
-      if (Slice slice; cut(plane, t, low, high, slice)) slices_.push_back(slice);
-    for (const Stretch& stretch : FirstMet(slices_).find())
-      add(edge, plane, stretch, pieces);
+      if (Slice slice; cut(plane, t, low, high, slice)) {
+        judge(caster, plane, slice);
+        slices_.push_back(slice);
+      }
+    const auto choose = [&](const std::vector<std::uint32_t>& there) {
+      return firstMet(caster, there);
+    };
+    for (const Stretch& stretch : FirstMet(slices_).find(choose))
+      add(number, plane, stretch, pieces);
   }
 
  private:
-  std::uint32_t apex(const WorldEdge& edge, int face) const
-  {
-    for (const std::uint32_t v : world_.triangles[edge.triangle[face]].vertex)
-      if (v != edge.point[0] && v != edge.point[1]) return v;
-    return edge.point[0];
-  }
-  bool isFold(const WorldEdge& edge, const HalfPlane& plane) const
-  {
-    if (edge.triangle[1] == kNoCorner) return true;
-    const double first = plane.side(world_.points[apex(edge, 0)]);
-    const double second = plane.side(world_.points[apex(edge, 1)]);
-    return (first >= 0) == (second >= 0);
-  }
   Vec3d normal(std::uint32_t triangle) const
   {
     const Vec3d p = world_.corner(triangle, 0);
     return normalized(cross(world_.corner(triangle, 1) - p, world_.corner(triangle, 2) - p));
   }
 
-  /// Triangles that the half plane may cut, by number, but for those at the edge.
-  void gather(const WorldEdge& edge, const HalfPlane& plane)
+  /// Triangles that the half plane may cut, by number, but for those at the caster.
+  void gather(const ShadowCaster& caster, const HalfPlane& plane)
   {
     found_.clear();
+    const auto isAt = [&](std::uint32_t t) {
+      return caster.isContour() ? t == caster.triangle[0]
+                                : has(t, caster.point[0]) && has(t, caster.point[1]);
+    };
     tree_.visit([&](const Box& box) { return plane.meets(box); },
                 [&](std::uint32_t t) {
-                  if (!has(t, edge.point[0]) || !has(t, edge.point[1])) found_.push_back(t);
+                  if (!isAt(t)) found_.push_back(t);
                 });
     std::sort(found_.begin(), found_.end());
   }
@@ -109,27 +106,52 @@ class ShadowCaster {
     const auto& v = world_.triangles[triangle].vertex;
     return v[0] == point || v[1] == point || v[2] == point;
   }
-  /// Whether a piece is one that a smooth surface does not show: near its edge, or where the ray
-  /// has gone into the body, as it does where facets make dents that the surface has not.
-  bool isSpared(const WorldEdge& edge, const HalfPlane& plane, const ShadowPiece& piece) const
+  void judge(const ShadowCaster& caster, const HalfPlane& plane, Slice& slice) const
   {
-    const std::uint32_t t = piece.receiver, body = world_.body[t];
-    if (edge.triangle[1] == kNoCorner || body != world_.body[edge.triangle[0]]) return false;
-    const Vec3d first = normal(edge.triangle[0]), own = normal(t);
-    Vec3d second = normal(edge.triangle[1]);
-    if (!edge.isWoundAlike) second = -second;
-    if (dot(first, second) < cosine_[body]) return false;
-    const Vec3d a = world_.points[edge.point[0]], b = world_.points[edge.point[1]];
-    const Vec3d c = world_.points[apex(edge, 0)], d = world_.points[apex(edge, 1)];
-    const bool bulgesOut = dot(first, d - a) < 0;
+    const std::uint32_t t = slice.triangle;
+    slice.isOwn = caster.reach > 0 && world_.body[t] == caster.body;
+    if (!slice.isOwn) return;
+    const Vec3d own = normal(t);
     const bool showsOut = dot(own, light_.towardLight(world_.corner(t, 0))) > 0;
-    if (edge.isWoundAlike && bulgesOut != showsOut) return true;
-    if (dot(own, first) < cosine_[body] && dot(own, second) < cosine_[body]) return false;
-    const Vec3d areaC = cross(b - a, c - a), areaD = cross(b - a, d - a);
-    const double wide = std::max(dot(areaC, areaC), dot(areaD, areaD)) / dot(b - a, b - a);
-    const Vec3d from = piece.from - plane.point(piece.u0, 0),
-                to = piece.to - plane.point(piece.u1, 0);
-    return std::max(dot(from, from), dot(to, to)) < kShadowFacets * kShadowFacets * wide;
+    slice.isMatch = showsOut == caster.bulgesOut;
+    const double u = 0.5 * (slice.u0 + slice.u1);
+    const Vec3d way = plane.point(u, slice.at(u)) - plane.point(u, 0);
+    slice.isNear = dot(way, way) <= caster.reach * caster.reach &&
+                   (dot(own, normal(caster.triangle[0])) >= cosine_[caster.body] ||
+                    dot(own, normal(caster.triangle[1])) >= cosine_[caster.body]);
+  }
+
+  /// What the light meets first, of those in its way.
+  std::uint32_t firstMet(const ShadowCaster& caster, const std::vector<std::uint32_t>& there) const
+  {
+    bool isFirst = caster.isContour();
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      const Slice& slice = slices_[there[i]];
+      if (!slice.isOwn) return there[i];
+      const double w = 0.5 * (slice.w0 + slice.w1);
+      if (w >= 0) {
+        // Facets may stand a little in the way of light that comes along the right side of theirs.
+        if (!slice.isNear || (isFirst && !slice.isMatch)) return there[i];
+        isFirst = false;
+        continue;
+      }
+      if (!slice.isMatch) {
+        if (slice.isNear || world_.isClosed[caster.body] != 0) continue;
+        return there[i];
+      }
+      if (slice.isNear && leaves(there, i)) continue;
+      return there[i];
+    }
+    return kNoSlice;
+  }
+  /// Whether the ray goes out again soon after.
+  bool leaves(const std::vector<std::uint32_t>& there, std::size_t i) const
+  {
+    for (++i; i < there.size(); ++i) {
+      const Slice& slice = slices_[there[i]];
+      if (slice.isOwn && slice.isNear && !slice.isMatch) return true;
+    }
+    return false;
   }
 
   bool cut(const HalfPlane& plane, std::uint32_t t, double low, double high, Slice& slice) const
@@ -153,7 +175,7 @@ class ShadowCaster {
     return plane.slice(cuts[0], cuts[1], low, high, slice);
   }
 
-  void add(std::uint32_t edge, const HalfPlane& plane, Stretch stretch,
+  void add(std::uint32_t number, const HalfPlane& plane, Stretch stretch,
            std::vector<ShadowPiece>& pieces) const
   {
     const Slice& slice = slices_[stretch.slice];
@@ -166,13 +188,9 @@ class ShadowCaster {
       (w0 < limit ? stretch.u1 : stretch.u0) = u;
     }
     if (!(stretch.u1 - stretch.u0 > kShadowSliver)) return;
-    const ShadowPiece piece = {edge,
-                               slice.triangle,
-                               stretch.u0,
-                               stretch.u1,
-                               plane.point(stretch.u0, slice.at(stretch.u0)),
-                               plane.point(stretch.u1, slice.at(stretch.u1))};
-    if (!isSpared(world_.edges[edge], plane, piece)) pieces.push_back(piece);
+    pieces.push_back({number, slice.triangle, stretch.u0, stretch.u1,
+                      plane.point(stretch.u0, slice.at(stretch.u0)),
+                      plane.point(stretch.u1, slice.at(stretch.u1))});
   }
 
   const WorldMesh& world_;
@@ -184,83 +202,146 @@ class ShadowCaster {
 };
 
 /// Gives ends of pieces that meet one number.
-class BorderPoints {
+class BorderBuilder {
  public:
-  BorderPoints(const WorldMesh& world, std::vector<Vec3d>& points)
-      : world_(world), near_(kShadowContact * world.size), points_(points)
+  BorderBuilder(const WorldMesh& world, const LightRays& light, Span<const ShadowCaster> casters,
+                BorderPieces& border)
+      : world_(world),
+        light_(light),
+        casters_(casters),
+        near_(kShadowContact * world.size),
+        border_(border)
   {
   }
 
-  LineLink link(const ShadowPiece& piece)
+  void add(const ShadowPiece& piece)
   {
-    const bool goesOn = before_ != nullptr && before_->edge == piece.edge &&
+    const bool goesOn = before_ != nullptr && before_->caster == piece.caster &&
                         piece.u0 - before_->u1 <= kShadowSliver && areNear(piece.from, before_->to);
     const std::uint32_t from = goesOn                      ? last_
                                : piece.u0 <= kShadowSliver ? atEnd(piece, 0, piece.from)
-                                                           : add(piece.from);
-    last_ = piece.u1 >= 1 - kShadowSliver ? atEnd(piece, 1, piece.to) : add(piece.to);
+                                                           : add(piece.from, piece);
+    last_ = piece.u1 >= 1 - kShadowSliver ? atEnd(piece, 1, piece.to) : add(piece.to, piece);
     before_ = &piece;
-    return {from, last_, piece.receiver};
+    border_.links.push_back({from, last_, piece.receiver});
   }
 
  private:
-  bool areNear(Vec3d a, Vec3d b) const { return dot(a - b, a - b) <= near_ * near_; }
-  std::uint32_t add(Vec3d p)
+  bool showsOut(std::uint32_t t) const
   {
-    points_.push_back(p);
-    return static_cast<std::uint32_t>(points_.size() - 1);
+    const Vec3d a = world_.corner(t, 0);
+    return dot(cross(world_.corner(t, 1) - a, world_.corner(t, 2) - a), light_.towardLight(a)) > 0;
   }
-  /// What other edges at that end of the edge cast there.
+  bool areNear(Vec3d a, Vec3d b) const { return dot(a - b, a - b) <= near_ * near_; }
+  std::uint32_t add(Vec3d p, const ShadowPiece& piece)
+  {
+    border_.points.push_back(p);
+    border_.receiver.push_back(piece.receiver);
+    border_.reach.push_back(casters_[piece.caster].gap);
+    border_.isOfContour.push_back(casters_[piece.caster].isContour() ? 1 : 0);
+    border_.showsOut.push_back(showsOut(piece.receiver) ? 1 : 0);
+    return static_cast<std::uint32_t>(border_.points.size() - 1);
+  }
+  /// What other casters at that end of the caster cast there.
   std::uint32_t atEnd(const ShadowPiece& piece, int end, Vec3d p)
   {
-    std::vector<std::uint32_t>& there = cast_[world_.edges[piece.edge].point[end]];
+    std::vector<std::uint32_t>& there = cast_[casters_[piece.caster].place[end]];
     for (const std::uint32_t point : there)
-      if (areNear(points_[point], p)) return point;
-    there.push_back(add(p));
+      if (areNear(border_.points[point], p)) return point;
+    there.push_back(add(p, piece));
     return there.back();
   }
 
   const WorldMesh& world_;
+  const LightRays& light_;
+  Span<const ShadowCaster> casters_;
   double near_;
-  std::vector<Vec3d>& points_;
-  std::map<std::uint32_t, std::vector<std::uint32_t>> cast_;  ///< by point of the world
+  BorderPieces& border_;
+  std::map<std::uint64_t, std::vector<std::uint32_t>> cast_;  ///< by place of casters
   const ShadowPiece* before_ = nullptr;
   std::uint32_t last_ = 0;
 };
 
+/// A point of a facet in the triangle as it is drawn.
+Vec3d drawnPoint(const RefinedWorld& world, Vec3d p, std::uint32_t t)
+{
+  const WorldMesh& mesh = world.mesh;
+  if (world.fineness[mesh.body[t]] == 1) return p;
+  const Vec3d a = mesh.corner(t, 0), b = mesh.corner(t, 1), c = mesh.corner(t, 2);
+  const Vec3d n = cross(b - a, c - a);
+  const double area = dot(n, n);
+  if (!(area > 0)) return p;
+  const double v = dot(cross(p - a, c - a), n) / area, w = dot(cross(b - a, p - a), n) / area;
+  const auto& number = mesh.triangles[t].vertex;
+  const Vec3d drawn = world.flat[number[0]];
+  return drawn + ((world.flat[number[1]] - drawn) * v + (world.flat[number[2]] - drawn) * w);
+}
+
+/// The normal of what is drawn for a facet, towards the side that its light comes from.
+Vec3d litSideOf(const RefinedWorld& world, const LightRays& light, std::uint32_t t)
+{
+  const WorldMesh& mesh = world.mesh;
+  const auto& v = mesh.triangles[t].vertex;
+  const Vec3d a = mesh.points[v[0]];
+  const Vec3d facet = cross(mesh.points[v[1]] - a, mesh.points[v[2]] - a);
+  const Vec3d drawn =
+      cross(world.flat[v[1]] - world.flat[v[0]], world.flat[v[2]] - world.flat[v[0]]);
+  return dot(facet, light.towardLight(a)) < 0 ? -drawn : drawn;
+}
+
 }  // namespace
 
 std::vector<ShadowPiece> shadowPieces(const WorldMesh& world, const TriangleTree& tree,
-                                      const LightRays& light, Span<const double> creaseDegrees,
-                                      int threads)
+                                      const LightRays& light, Span<const ShadowCaster> casters,
+                                      Span<const double> creaseDegrees, int threads)
 {
-  const std::size_t tasks = (world.edges.size() + kEdgesPerTask - 1) / kEdgesPerTask;
-  std::vector<std::vector<ShadowPiece>> found(tasks);
-  parallelFor(threads, tasks, [&](std::size_t task) {
-    ShadowCaster caster(world, tree, light, creaseDegrees);
-    const std::size_t end = std::min(world.edges.size(), (task + 1) * kEdgesPerTask);
-    for (std::size_t e = task * kEdgesPerTask; e < end; ++e)
-      caster.cast(static_cast<std::uint32_t>(e), found[task]);
-  });
+  std::vector<std::vector<ShadowPiece>> found(stretchCount(casters.size(), kCastersPerTask));
+  parallelForStretches(threads, casters.size(), kCastersPerTask,
+                       [&](std::size_t task, std::size_t first, std::size_t end) {
+                         ShadowFinder finder(world, tree, light, creaseDegrees);
+                         for (std::size_t c = first; c < end; ++c)
+                           finder.cast(casters[c], static_cast<std::uint32_t>(c), found[task]);
+                       });
   std::vector<ShadowPiece> pieces;
   for (const std::vector<ShadowPiece>& some : found)
     pieces.insert(pieces.end(), some.begin(), some.end());
   return pieces;
 }
 
-ContourLines shadowBorder(const WorldMesh& world, Span<const ShadowPiece> pieces, std::size_t body,
-                          const Mat4d& worldToModel)
+ShadowLines shadowBorder(const RefinedWorld& world, Span<const ShadowCaster> casters,
+                         Span<const ShadowPiece> pieces, const LightRays& light, std::size_t body,
+                         const Mat4d& worldToModel)
 {
-  ContourLines lines;
-  BorderPoints ends(world, lines.points);
-  std::vector<LineLink> links;
+  BorderPieces border;
+  BorderBuilder builder(world.mesh, light, casters, border);
   for (const ShadowPiece& piece : pieces)
-    if (piece.edge >= world.firstEdge[body] && piece.edge < world.firstEdge[body + 1])
-      links.push_back(ends.link(piece));
-  chainLinks(links, lines.points.size(), lines.chains, nullptr);
-  for (Vec3d& p : lines.points)
-    p = transformPoint(worldToModel, p);
-  return lines;
+    if (casters[piece.caster].body == body) builder.add(piece);
+  mendBorder(casters, border);
+  ShadowLines shadow;
+  for (std::size_t i = 0; i < border.points.size(); ++i)
+    shadow.lines.points.push_back(
+        transformPoint(worldToModel, drawnPoint(world, border.points[i], border.receiver[i])));
+  std::vector<std::uint32_t> receiver;
+  chainLinks(border.links, shadow.lines.points.size(), shadow.lines.chains, &receiver);
+  for (const std::uint32_t t : receiver)
+    shadow.litSide.push_back(t == kNoCorner ? Vec3d{0, 0, 0} : litSideOf(world, light, t));
+  return shadow;
+}
+
+bool concealBehindSheets(const ShadowLines& shadow, const Camera& camera, const Mat4d& modelToWorld,
+                         std::vector<std::uint8_t>& flags)
+{
+  const ModelEye eye(camera, Mat4d::identity());
+  const LineChains& chains = shadow.lines.chains;
+  flags.assign(chains.vertex.size(), 0);
+  bool isAny = false;
+  for (std::size_t i = 0; i < flags.size(); ++i) {
+    const Vec3d p = transformPoint(modelToWorld, shadow.lines.points[chains.vertex[i]]);
+    if (!(dot(shadow.litSide[i], eye.toward(p)) < 0)) continue;
+    flags[i] = kConcealedLine;
+    isAny = true;
+  }
+  return isAny;
 }
 
 }  // namespace limn

@@ -21,6 +21,9 @@ inline constexpr double kSmallestSine = 1e-12;
 struct Slice {
   double u0, u1, w0, w1;
   std::uint32_t triangle;
+  /// Of a smooth caster's own body, and then whether it is next to the caster and shows light the
+  /// side to which that bulges.
+  bool isOwn, isNear, isMatch;
 
   double at(double u) const
   {
@@ -150,6 +153,8 @@ class HalfPlane {
   double scale_ = 0, contact_ = 0, size_ = 0;
 };
 
+inline constexpr std::uint32_t kNoSlice = 0xFFFFFFFFu;
+
 /// A stretch of u in which one slice is before all others.
 struct Stretch {
   double u0, u1;
@@ -169,7 +174,9 @@ class FirstMet {
     });
   }
 
-  std::vector<Stretch> find() const
+  /// choose(those there, the nearest to the light first) gives one of them, or kNoSlice.
+  template <class Choose>
+  std::vector<Stretch> find(const Choose& choose) const
   {
     const std::vector<double> stops = this->stops();
     std::vector<Stretch> result;
@@ -180,8 +187,8 @@ class FirstMet {
       while (next < byStart_.size() && slices_[byStart_[next]].u0 <= u0)
         there.push_back(byStart_[next++]);
       leave(u0, there);
-      if (there.empty()) continue;
-      const std::uint32_t first = nearest(0.5 * (u0 + u1), there);
+      const std::uint32_t first = choose(inOrder(0.5 * (u0 + u1), there));
+      if (first == kNoSlice) continue;
       if (!result.empty() && result.back().slice == first && result.back().u1 == u0)
         result.back().u1 = u1;
       else
@@ -222,18 +229,13 @@ class FirstMet {
     if ((atLow < 0) != (atHigh < 0))
       stops.push_back(low + (high - low) * (atLow / (atLow - atHigh)));
   }
-  std::uint32_t nearest(double u, const std::vector<std::uint32_t>& there) const
+  std::vector<std::uint32_t> inOrder(double u, std::vector<std::uint32_t> there) const
   {
-    std::uint32_t first = there[0];
-    double most = slices_[first].at(u);
-    for (const std::uint32_t i : there) {
-      const double w = slices_[i].at(u);
-      if (w > most || (w == most && i < first)) {
-        first = i;
-        most = w;
-      }
-    }
-    return first;
+    std::sort(there.begin(), there.end(), [&](std::uint32_t a, std::uint32_t b) {
+      const double wa = slices_[a].at(u), wb = slices_[b].at(u);
+      return wa != wb ? wa > wb : a < b;
+    });
+    return there;
   }
 
   const std::vector<Slice>& slices_;

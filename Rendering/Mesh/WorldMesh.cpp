@@ -3,9 +3,12 @@
 #include "Rendering/Mesh/WorldMesh.h"
 
 #include "Rendering/Mesh/LocalPosition.h"
+#include "Rendering/Mesh/VertexNormals.h"
 #include "Rendering/Mesh/WeldVertices.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace limn {
 namespace {
@@ -71,6 +74,7 @@ class WorldBuilder {
   void addEdges(const MeshView& mesh, const EdgeTable& table, std::size_t firstTriangle)
   {
     const auto first = static_cast<std::uint32_t>(firstTriangle);
+    bool hasBorder = false;
     for (const MeshEdge& edge : table.edges) {
       WorldEdge placed = {{edge.vertex[0] + firstPoint_, edge.vertex[1] + firstPoint_},
                           {edge.corner[0] / 3 + first, kNoCorner},
@@ -82,9 +86,26 @@ class WorldBuilder {
       if (world_.isBroken(placed.triangle[0]) ||
           (edge.isShared() && world_.isBroken(placed.triangle[1])))
         continue;
+      hasBorder = hasBorder || !edge.isShared();
       world_.edges.push_back(placed);
     }
+    world_.isClosed.push_back(!hasBorder && !table.edges.empty() ? 1 : 0);
+    if (world_.isClosed.back() != 0) turnOutside(firstTriangle);
     world_.firstEdge.push_back(world_.edges.size());
+  }
+
+  /// Bodies may have been modelled, or mirrored, inside out.
+  void turnOutside(std::size_t firstTriangle)
+  {
+    const Vec3d origin = world_.points[firstPoint_];
+    double volume = 0;
+    for (std::size_t t = firstTriangle; t < world_.triangles.size(); ++t)
+      if (!world_.isBroken(t))
+        volume += dot(world_.corner(t, 0) - origin,
+                      cross(world_.corner(t, 1) - origin, world_.corner(t, 2) - origin));
+    if (!(volume < 0)) return;
+    for (std::size_t t = firstTriangle; t < world_.triangles.size(); ++t)
+      std::swap(world_.triangles[t].vertex[1], world_.triangles[t].vertex[2]);
   }
 
   WorldMesh& world_;
@@ -103,6 +124,43 @@ Status buildWorldMesh(Span<const PlacedMesh> meshes, Span<const std::uint8_t> wa
     if (Status status = builder.add(meshes[i], wantsEdges[i] != 0, threads); !status.ok())
       return status;
   builder.finish();
+  return {};
+}
+
+Status worldNormals(const WorldMesh& world, Span<const double> creaseDegrees, int threads,
+                    WorldNormals& normals)
+{
+  normals = {};
+  normals.normals.push_back({0, 0, 0});
+  normals.ofCorner.assign(3 * world.triangles.size(), 0);
+  for (std::size_t first = 0, end = 0; first < world.triangles.size(); first = end) {
+    const std::uint32_t body = world.body[first];
+    while (end < world.triangles.size() && world.body[end] == body)
+      ++end;
+    std::uint32_t low = 0xFFFFFFFFu, high = 0;
+    for (std::size_t t = first; t < end; ++t)
+      if (!world.isBroken(t))
+        for (const std::uint32_t v : world.triangles[t].vertex) {
+          low = std::min(low, v);
+          high = std::max(high, v);
+        }
+    if (low > high) continue;
+    std::vector<Triangle> triangles(world.triangles.begin() + static_cast<std::ptrdiff_t>(first),
+                                    world.triangles.begin() + static_cast<std::ptrdiff_t>(end));
+    for (std::size_t t = first; t < end; ++t)
+      for (std::uint32_t& v : triangles[t - first].vertex)
+        v = world.isBroken(t) ? 0 : v - low;
+    const Span<const Vec3d> points = {world.points.data() + low, high - low + 1};
+    SplitNormals split;
+    if (Status status = splitVertexNormals({{}, points, triangles}, {}, NormalWeight::kAngle,
+                                           creaseDegrees[body], threads, split);
+        !status.ok())
+      return status;
+    const auto before = static_cast<std::uint32_t>(normals.normals.size());
+    normals.normals.insert(normals.normals.end(), split.normals.begin(), split.normals.end());
+    for (std::size_t c = 0; c < split.ofCorner.size(); ++c)
+      normals.ofCorner[3 * first + c] = split.ofCorner[c] + before;
+  }
   return {};
 }
 

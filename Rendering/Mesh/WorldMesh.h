@@ -25,10 +25,13 @@ struct WorldEdge {
 /// Points of one body in one place are one; bodies share none.
 struct WorldMesh {
   std::vector<Vec3d> points;
-  std::vector<Triangle> triangles;     ///< broken ones have three times the same point
+  /// Broken ones have three times the same point. Of closed bodies with edges all are wound the
+  /// other way if they were inside out.
+  std::vector<Triangle> triangles;
   std::vector<std::uint32_t> body;     ///< of each triangle
   std::vector<WorldEdge> edges;        ///< of bodies that have been asked for, in their order
   std::vector<std::size_t> firstEdge;  ///< by body, and the end
+  std::vector<std::uint8_t> isClosed;  ///< by body: whether it has edges and none is a border
   double size = 0;                     ///< the diagonal of the box of all that is not broken
 
   bool isBroken(std::size_t triangle) const
@@ -38,8 +41,21 @@ struct WorldMesh {
   Vec3d corner(std::size_t triangle, int k) const { return points[triangles[triangle].vertex[k]]; }
 };
 
+/// Vertex normals of a WorldMesh as contours have them.
+struct WorldNormals {
+  std::vector<Vec3f> normals;           ///< unit, or zero
+  std::vector<std::uint32_t> ofCorner;  ///< three a triangle
+
+  Vec3f at(std::size_t triangle, int k) const { return normals[ofCorner[3 * triangle + k]]; }
+};
+
 /// `wantsEdges` by body. Errors: kTooManyPrimitives for 2^32 / 3 triangles and more.
 Status buildWorldMesh(Span<const PlacedMesh> meshes, Span<const std::uint8_t> wantsEdges,
                       int threads, WorldMesh& world);
+
+/// splitVertexNormals() of each body, by angles, apart at edges of more than `creaseDegrees`, by
+/// body. Errors: as that.
+Status worldNormals(const WorldMesh& world, Span<const double> creaseDegrees, int threads,
+                    WorldNormals& normals);
 
 }  // namespace limn

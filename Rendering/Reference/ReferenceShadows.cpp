@@ -36,27 +36,29 @@ struct Line {
   }
 };
 
-class Edge {
+/// What one caster does.
+class Shadow {
  public:
-  Edge(const WorldMesh& world, const LightRays& light, std::uint32_t number)
+  Shadow(const WorldMesh& world, const LightRays& light, const ShadowCaster& caster,
+         double creaseDegrees)
       : world_(world),
         light_(light),
-        edge_(world.edges[number]),
-        a_(world.points[edge_.point[0]]),
-        b_(world.points[edge_.point[1]]),
+        caster_(caster),
+        bound_(cosineOfDegrees(creaseDegrees)),
+        a_(caster.end[0]),
+        b_(caster.end[1]),
         e_(b_ - a_)
   {
   }
 
-  /// What it casts, if anything.
-  void cast(std::uint32_t number, double creaseDegrees, std::vector<ShadowPiece>& pieces) const
+  void cast(std::uint32_t number, std::vector<ShadowPiece>& pieces) const
   {
     double low, high;
-    if (isAlongRays() || !isFold() || !coneHolds(low, high)) return;
+    if (isAlongRays() || !coneHolds(low, high)) return;
     std::vector<Line> lines;
     for (std::uint32_t t = 0; t < world_.triangles.size(); ++t)
-      if (Line line;
-          !world_.isBroken(t) && !isAtEdge(t) && cut(t, line) && line.u1 > low && line.u0 < high) {
+      if (Line line; !world_.isBroken(t) && !isAtCaster(t) && cut(t, line) && line.u1 > low &&
+                     line.u0 < high) {
         line.cutAt(low, high);
         lines.push_back(line);
       }
@@ -72,14 +74,14 @@ class Edge {
     double since = 0;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       if (!(stops[i] < stops[i + 1])) continue;
-      const Line* const first = largestOn(stops[i], stops[i + 1], lines);
+      const Line* const first = firstOn(stops[i], stops[i + 1], lines);
       if (first != before) {
-        if (before != nullptr) add(number, *before, since, stops[i], creaseDegrees, pieces);
+        if (before != nullptr) add(number, *before, since, stops[i], pieces);
         before = first;
         since = stops[i];
       }
     }
-    if (before != nullptr) add(number, *before, since, stops.back(), creaseDegrees, pieces);
+    if (before != nullptr) add(number, *before, since, stops.back(), pieces);
   }
 
  private:
@@ -99,15 +101,6 @@ class Edge {
     const Vec3d toA = a_ - light_.source, toB = b_ - light_.source, n = planeNormal();
     return !(dot(n, n) > kLeast * (dot(toA, toA) * dot(toB, toB))) || !(dot(n, n) < HUGE_VAL);
   }
-  Vec3d third(int face) const
-  {
-    for (const std::uint32_t v : world_.triangles[edge_.triangle[face]].vertex)
-      if (v != edge_.point[0] && v != edge_.point[1]) return world_.points[v];
-    return a_;
-  }
-  bool isBorder() const { return edge_.triangle[1] == kNoCorner; }
-  bool isFold() const { return isBorder() || (side(third(0)) >= 0) == (side(third(1)) >= 0); }
-
   Vec3d normal(std::uint32_t t) const
   {
     return normalized(cross(world_.corner(t, 1) - world_.corner(t, 0),
@@ -118,30 +111,65 @@ class Edge {
     const auto& v = world_.triangles[t].vertex;
     return std::count(v, v + 3, p) > 0;
   }
-  bool isAtEdge(std::uint32_t t) const
+  bool isAtCaster(std::uint32_t t) const
   {
-    return hasPoint(t, edge_.point[0]) && hasPoint(t, edge_.point[1]);
+    if (caster_.isContour()) return t == caster_.triangle[0];
+    return hasPoint(t, caster_.point[0]) && hasPoint(t, caster_.point[1]);
   }
-  /// Whether a piece is not shown, as it is of one smooth surface with the edge's faces.
-  bool isSpared(const ShadowPiece& piece, double creaseDegrees) const
+
+  /// Of the caster's own body, if facets next to it may deceive.
+  bool isOwn(const Line& line) const
   {
-    const std::uint32_t t = piece.receiver;
-    if (isBorder() || world_.body[t] != world_.body[edge_.triangle[0]]) return false;
-    const double bound = cosineOfDegrees(creaseDegrees);
-    const Vec3d first = normal(edge_.triangle[0]);
-    const Vec3d second = normal(edge_.triangle[1]) * (edge_.isWoundAlike ? 1.0 : -1.0);
-    if (dot(first, second) < bound) return false;
-    const bool bulgesOut = dot(first, third(1) - a_) < 0;
+    return caster_.reach > 0 && world_.body[line.triangle] == caster_.body;
+  }
+  bool isOnRightSide(const Line& line) const
+  {
+    const std::uint32_t t = line.triangle;
     const bool showsOut = dot(normal(t), light_.towardLight(world_.corner(t, 0))) > 0;
-    if (edge_.isWoundAlike && bulgesOut != showsOut) return true;
-    if (dot(normal(t), first) < bound && dot(normal(t), second) < bound) return false;
-    const auto squared = [](Vec3d v) { return dot(v, v); };
-    const double widest =
-        std::max(squared(cross(e_, third(0) - a_)), squared(cross(e_, third(1) - a_))) /
-        squared(e_);
-    const double far =
-        std::max(squared(piece.from - at(piece.u0, 0)), squared(piece.to - at(piece.u1, 0)));
-    return far < kShadowFacets * kShadowFacets * widest;
+    return showsOut == caster_.bulgesOut;
+  }
+  bool isNextTo(const Line& line) const
+  {
+    const double u = 0.5 * (line.u0 + line.u1);
+    const Vec3d way = at(u, line.w(u)) - at(u, 0);
+    if (!(dot(way, way) <= caster_.reach * caster_.reach)) return false;
+    for (const std::uint32_t t : caster_.triangle)
+      if (dot(normal(line.triangle), normal(t)) >= bound_) return true;
+    return false;
+  }
+  bool isBefore(const Line& line) const { return 0.5 * (line.w0 + line.w1) >= 0; }
+
+  /// Of those that reach over the whole of an interval the one at which the light ends, told by
+  /// going along its ray.
+  const Line* firstOn(double from, double to, const std::vector<Line>& lines) const
+  {
+    const double u = 0.5 * (from + to);
+    std::vector<const Line*> met;
+    for (const Line& line : lines)
+      if (line.u0 <= from && line.u1 >= to) met.push_back(&line);
+    std::stable_sort(met.begin(), met.end(),
+                     [&](const Line* a, const Line* b) { return a->w(u) > b->w(u); });
+    bool isFirst = true;
+    for (std::size_t i = 0; i < met.size(); ++i) {
+      const Line& line = *met[i];
+      if (!isOwn(line)) return &line;
+      const bool isNear = isNextTo(line), isRight = isOnRightSide(line);
+      if (isBefore(line)) {
+        if (!isNear) return &line;
+        // Comes through a contour's surface from the wrong side.
+        if (isFirst && caster_.isContour() && !isRight) return &line;
+        isFirst = false;
+      } else if (isRight) {
+        const bool leaves = std::any_of(
+            met.begin() + static_cast<std::ptrdiff_t>(i) + 1, met.end(), [&](const Line* later) {
+              return isOwn(*later) && isNextTo(*later) && !isOnRightSide(*later);
+            });
+        if (!isNear || !leaves) return &line;
+      } else if (!isNear && world_.isClosed[caster_.body] == 0) {
+        return &line;
+      }
+    }
+    return nullptr;
   }
 
   /// u and w of the straight line in which the half plane cuts a triangle.
@@ -201,16 +229,6 @@ class Edge {
     if ((atLow < 0) != (atHigh < 0))
       stops.push_back(low + (high - low) * (atLow / (atLow - atHigh)));
   }
-  static const Line* largestOn(double from, double to, const std::vector<Line>& lines)
-  {
-    const double u = 0.5 * (from + to);
-    const Line* largest = nullptr;
-    for (const Line& line : lines)
-      if (line.u0 <= from && line.u1 >= to && (largest == nullptr || line.w(u) > largest->w(u)))
-        largest = &line;
-    return largest;
-  }
-
   /// The part of the edge inside of a spot's cone.
   bool coneHolds(double& low, double& high) const
   {
@@ -257,7 +275,7 @@ class Edge {
     if (light_.isParallel) return p + light_.source * w;
     return light_.source + (p - light_.source) * (1.0 / (1.0 + w));
   }
-  void add(std::uint32_t number, const Line& line, double u0, double u1, double creaseDegrees,
+  void add(std::uint32_t number, const Line& line, double u0, double u1,
            std::vector<ShadowPiece>& pieces) const
   {
     double contact = kShadowContact * world_.size;
@@ -272,14 +290,13 @@ class Edge {
     if (!isBehind0) u0 = limit;
     if (!isBehind1) u1 = limit;
     if (!(u1 - u0 > kShadowSliver)) return;
-    const ShadowPiece piece = {number, line.triangle,      u0,
-                               u1,     at(u0, line.w(u0)), at(u1, line.w(u1))};
-    if (!isSpared(piece, creaseDegrees)) pieces.push_back(piece);
+    pieces.push_back({number, line.triangle, u0, u1, at(u0, line.w(u0)), at(u1, line.w(u1))});
   }
 
   const WorldMesh& world_;
   const LightRays& light_;
-  const WorldEdge& edge_;
+  const ShadowCaster& caster_;
+  double bound_;
   Vec3d a_, b_, e_;
 };
 
@@ -344,11 +361,12 @@ bool shareAPoint(const Triangle& s, const Triangle& t)
 }  // namespace
 
 std::vector<ShadowPiece> shadowPieces(const WorldMesh& world, const LightRays& light,
+                                      Span<const ShadowCaster> casters,
                                       Span<const double> creaseDegrees)
 {
   std::vector<ShadowPiece> pieces;
-  for (std::uint32_t e = 0; e < world.edges.size(); ++e)
-    Edge(world, light, e).cast(e, creaseDegrees[world.body[world.edges[e].triangle[0]]], pieces);
+  for (std::uint32_t c = 0; c < casters.size(); ++c)
+    Shadow(world, light, casters[c], creaseDegrees[casters[c].body]).cast(c, pieces);
   return pieces;
 }
 

@@ -7,6 +7,7 @@
 #include "Testing/Unit/Polyhedra.h"
 
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace limn::testing {
@@ -14,6 +15,8 @@ namespace limn::testing {
 /// Bodies in the world, and lines of what they do to each other.
 struct WorldStage {
   WorldMesh world;
+  RefinedWorld refined;
+  std::unique_ptr<const TriangleTree> tree;  ///< of it
   std::vector<double> creaseDegrees;
   std::vector<std::uint8_t> isWanted;
 
@@ -21,14 +24,16 @@ struct WorldStage {
       : creaseDegrees(bodies.size(), 40), isWanted(bodies.size(), 1)
   {
     status = buildWorldMesh(bodies, isWanted, 2, world);
-  }
-  std::vector<ShadowPiece> shadows(const LightRays& light) const
-  {
-    return shadowPieces(world, TriangleTree(world), light, creaseDegrees, 2);
+    WorldNormals normals;
+    if (status.ok()) status = worldNormals(world, creaseDegrees, 2, normals);
+    if (status.ok()) refined = refineWorld(world, normals);
+    tree = std::make_unique<const TriangleTree>(refined.mesh);
   }
   ContourLines shadowOf(std::size_t body, const LightRays& light) const
   {
-    return shadowBorder(world, shadows(light), body, Mat4d::identity());
+    const auto casters = shadowCasters(refined.mesh, refined.normals, light, 2);
+    const auto pieces = shadowPieces(refined.mesh, *tree, light, casters, creaseDegrees, 2);
+    return shadowBorder(refined, casters, pieces, light, body, Mat4d::identity()).lines;
   }
   ContourLines cuts(std::size_t body = 0) const
   {

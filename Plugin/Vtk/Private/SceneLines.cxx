@@ -14,6 +14,25 @@
 namespace limn::bridge
 {
 
+namespace
+{
+
+/// As they are, or with what a camera sees only the other side of.
+std::shared_ptr<const ContourLines> seenLines(
+  const std::shared_ptr<const ShadowLines>& shadow, const Camera& camera, const Mat4d& place)
+{
+  std::vector<std::uint8_t> flags;
+  if (!concealBehindSheets(*shadow, camera, place, flags))
+  {
+    return { shadow, &shadow->lines };
+  }
+  auto lines = std::make_shared<ContourLines>(shadow->lines);
+  lines->chains.flags = std::move(flags);
+  return lines;
+}
+
+} // namespace
+
 bool wantsSceneLines(vtkProperty* property)
 {
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
@@ -37,16 +56,13 @@ SceneLines::Body SceneLines::bodyOf(const Surface& surface)
     property ? property->GetCreaseAngle() : 0 };
 }
 
-void SceneLines::keep(std::size_t body, ContourLines lines)
+void SceneLines::castShadows(int threads)
 {
-  if (!lines.chains.empty())
+  shadows_.assign(bodies_.size(), {});
+  if (!refinedTree_)
   {
-    lines_[body].push_back(std::make_shared<const ContourLines>(std::move(lines)));
+    return;
   }
-}
-
-void SceneLines::castShadows(const WorldMesh& world, const TriangleTree& tree, int threads)
-{
   std::vector<double> creaseDegrees;
   for (const Body& body : bodies_)
   {
@@ -54,61 +70,81 @@ void SceneLines::castShadows(const WorldMesh& world, const TriangleTree& tree, i
   }
   for (std::size_t light = 0; light < lights_.size(); ++light)
   {
-    const auto pieces = shadowPieces(world, tree, lights_[light], creaseDegrees, threads);
+    const auto casters = shadowCasters(refined_.mesh, refined_.normals, lights_[light], threads);
+    const auto pieces =
+      shadowPieces(refined_.mesh, *refinedTree_, lights_[light], casters, creaseDegrees, threads);
     for (std::size_t i = 0; i < bodies_.size(); ++i)
     {
       Mat4d toModel;
       if (bodies_[i].castsShadow && (light == 0 || bodies_[i].hasAllLights) &&
           invert(bodies_[i].place, toModel))
       {
-        this->keep(i, shadowBorder(world, pieces, i, toModel));
+        ShadowLines shadow = shadowBorder(refined_, casters, pieces, lights_[light], i, toModel);
+        if (!shadow.lines.chains.empty())
+        {
+          shadows_[i].push_back(std::make_shared<const ShadowLines>(std::move(shadow)));
+        }
       }
     }
   }
 }
 
-void SceneLines::cut(const WorldMesh& world, const TriangleTree& tree, int threads)
+void SceneLines::cut(const WorldMesh& world, int threads)
 {
+  cuts_.assign(bodies_.size(), {});
   std::vector<std::uint8_t> isCut;
   for (const Body& body : bodies_)
   {
     isCut.push_back(body.isCut ? 1 : 0);
   }
-  const auto pieces = intersections(world, tree, isCut, threads);
+  if (std::count(isCut.begin(), isCut.end(), 1) == 0)
+  {
+    return;
+  }
+  const auto pieces = intersections(world, TriangleTree(world), isCut, threads);
   for (std::size_t i = 0; i < bodies_.size(); ++i)
   {
     if (Mat4d toModel; bodies_[i].isCut && invert(bodies_[i].place, toModel))
     {
-      this->keep(i, intersectionLines(world, pieces, isCut, i, toModel));
+      ContourLines lines = intersectionLines(world, pieces, isCut, i, toModel);
+      if (!lines.chains.empty())
+      {
+        cuts_[i] = std::make_shared<const ContourLines>(std::move(lines));
+      }
     }
   }
 }
 
-Status SceneLines::build(const std::vector<Instance>& instances, int threads)
+Status SceneLines::place(const std::vector<Instance>& instances, bool hasLights, int threads)
 {
-  lines_.assign(bodies_.size(), {});
   std::vector<PlacedMesh> meshes;
   std::vector<std::uint8_t> castsShadow;
+  std::vector<double> creaseDegrees;
   for (std::size_t i = 0; i < bodies_.size(); ++i)
   {
     meshes.push_back({ instances[i].mesh, instances[i].modelToWorld });
-    castsShadow.push_back(bodies_[i].castsShadow && !lights_.empty() ? 1 : 0);
+    castsShadow.push_back(bodies_[i].castsShadow && hasLights ? 1 : 0);
+    creaseDegrees.push_back(bodies_[i].creaseDegrees);
   }
   WorldMesh world;
   if (Status status = buildWorldMesh(meshes, castsShadow, threads, world); !status.ok())
   {
-    bodies_.clear();
     return status;
   }
-  const TriangleTree tree(world);
-  if (!world.edges.empty())
+  this->cut(world, threads);
+  refined_ = {};
+  refinedTree_.reset();
+  if (world.edges.empty())
   {
-    this->castShadows(world, tree, threads);
+    return {};
   }
-  if (std::any_of(bodies_.begin(), bodies_.end(), [](const Body& body) { return body.isCut; }))
+  WorldNormals normals;
+  if (Status status = worldNormals(world, creaseDegrees, threads, normals); !status.ok())
   {
-    this->cut(world, tree, threads);
+    return status;
   }
+  refined_ = refineWorld(std::move(world), std::move(normals));
+  refinedTree_ = std::make_unique<const TriangleTree>(refined_.mesh);
   return {};
 }
 
@@ -129,18 +165,24 @@ Status SceneLines::add(const std::vector<const Surface*>& surfaces,
   {
     lights.resize(1);
   }
-  if (!(bodies == bodies_ && lights == lights_))
+  const bool isPlaced = bodies == bodies_ && lights.empty() == lights_.empty();
+  if (!isPlaced)
   {
     bodies_ = std::move(bodies);
-    lights_ = std::move(lights);
-    if (Status status = this->build(instances, view.threads); !status.ok())
+    if (Status status = this->place(instances, !lights.empty(), view.threads); !status.ok())
     {
+      bodies_.clear();
       return status;
     }
   }
+  if (!isPlaced || !(lights == lights_))
+  {
+    lights_ = std::move(lights);
+    this->castShadows(view.threads);
+  }
   for (std::size_t i = 0; i < surfaces.size(); ++i)
   {
-    if (lines_[i].empty())
+    if (!cuts_[i] && shadows_[i].empty())
     {
       continue;
     }
@@ -152,7 +194,16 @@ Status SceneLines::add(const std::vector<const Surface*>& surfaces,
     }
     const Span<const LineSet> before = instances[i].lines;
     auto sets = std::make_unique<std::vector<LineSet>>(before.begin(), before.end());
-    for (const Lines& lines : lines_[i])
+    std::vector<std::shared_ptr<const ContourLines>> all;
+    for (const auto& shadow : shadows_[i])
+    {
+      all.push_back(seenLines(shadow, view.camera, instances[i].modelToWorld));
+    }
+    if (cuts_[i])
+    {
+      all.push_back(cuts_[i]);
+    }
+    for (const auto& lines : all)
     {
       frame.contours.push_back(lines);
       sets->push_back(lines->lines(style));

@@ -39,17 +39,18 @@ private:
 
     bool operator==(const Body& other) const;
   };
-  using Lines = std::shared_ptr<const ContourLines>;
 
   static Body bodyOf(const Surface& surface);
-  Status build(const std::vector<Instance>& instances, int threads);
-  void castShadows(const WorldMesh& world, const TriangleTree& tree, int threads);
-  void cut(const WorldMesh& world, const TriangleTree& tree, int threads);
-  void keep(std::size_t body, ContourLines lines);
+  Status place(const std::vector<Instance>& instances, bool hasLights, int threads);
+  void castShadows(int threads);
+  void cut(const WorldMesh& world, int threads);
 
   std::vector<Body> bodies_;
   std::vector<LightRays> lights_;
-  std::vector<std::vector<Lines>> lines_; ///< by body
+  RefinedWorld refined_; ///< of the bodies, if any casts a shadow
+  std::unique_ptr<const TriangleTree> refinedTree_;
+  std::vector<std::vector<std::shared_ptr<const ShadowLines>>> shadows_; ///< by body
+  std::vector<std::shared_ptr<const ContourLines>> cuts_; ///< by body; may be nullptr
 };
 
 /// Whether a property asks for lines of this kind.
