@@ -220,6 +220,11 @@ void checkScene(const SceneSettings& scene, const std::string& verb)
 void requirePng(const std::string& option, const std::string& file)
 {
   std::filesystem::path path = file;
+  if (!path.has_filename())
+  {
+    throw UserError(
+      option + "=" + file + " names a folder; add a file's name, as in " + file + "picture.png");
+  }
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
     [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });

@@ -691,6 +691,8 @@ TEST(Arguments, OutputMustBePng)
   EXPECT_EQ(
     errorOf({ "render", "a.obj", "--output=x" }), "--output=x is not a PNG file; name it x.png");
   EXPECT_EQ(errorOf({ "render", "a.obj", "--output=x.PNG" }), "");
+  EXPECT_EQ(errorOf({ "render", "a.obj", "--output=out/" }),
+    "--output=out/ names a folder; add a file's name, as in out/picture.png");
 }
 
 TEST(Arguments, OptionsThatNeedOrExcludeEachOther)
