@@ -312,6 +312,7 @@ Status checkAttributes(const Instance& instance, MeshSizes sizes, InstanceName n
       {a.cellNormals.size(), cells, ": cell normals"},
       {a.vertexColors.size(), sizes.vertices, ": vertex colours"},
       {a.cellColors.size(), cells, ": cell colours"},
+      {a.cellIds.size(), cells, ": ids of cells"},
       {a.facePoints.size(), cells, ": points of faces"},
       {a.faceNormals.size(), cells, ": face normals"},
       {a.uv.size(), sizes.vertices, ": texture coordinates"},

@@ -49,6 +49,12 @@ struct ImageOutline {
   OutlineDetector detector = OutlineDetector::kNone;
   float depthTolerance = 3;  ///< of a step, in pixels' widths where it is; >= 0
   float creaseDegrees = 40;  ///< normals that differ by more make a line; 0 to 180, 180: none
+  /// Borders between Attributes::cellIds of one instance that are no steps have lines, too, in
+  /// their middle as creases have. Where such a border lies within its pixels tell the samples that
+  /// show either id: counted across the border they are its height over a pixel's side, and heights
+  /// of a straight border are exact (the height functions of volumes of fluid, Hirt and Nichols
+  /// 1981).
+  bool ids = false;
 };
 
 }  // namespace limn

@@ -234,6 +234,8 @@ struct Attributes {
   Span<const std::uint32_t> smoothNormals = {};
   int smoothLevels = 0;   ///< 1 to kMaxSmoothLevels, if there are any
   float smoothRatio = 1;  ///< from a level's sigma to the next, 1 to kMaxSmoothRatio
+  /// For ImageOutline::ids, per cell: what it is a part of. Empty: all of them are of one.
+  Span<const std::uint32_t> cellIds = {};
 };
 
 /// Longest move of a hull's vertex, in widths: corners of the outline sharper than 29 degrees get

@@ -170,5 +170,29 @@ void comparePairsKernel(const RowJob& job, const PlacedRow& here, const PlacedRo
   }
 }
 
+HWY_INLINE VI idsAt(const SurfaceLayers& layers, std::size_t index)
+{
+  return hn::LoadU(DI(), reinterpret_cast<const std::int32_t*>(layers.id.data()) + index);
+}
+
+/// Adds where pixels of one instance differ by SurfaceLayers::id.
+void compareIdsKernel(const RowJob& job, std::uint8_t* pairs)
+{
+  const auto width = static_cast<std::size_t>(job.layers.width);
+  const bool isTop = job.y + 1 >= job.layers.height;
+  for (std::size_t i = 0; i < job.count; i += hn::Lanes(D())) {
+    const std::size_t index = job.first + i, over = isTop ? index : index + width;
+    const VI instance = instancesAt(job.layers, index), id = idsAt(job.layers, index);
+    const auto differ = [&](std::size_t other) HWY_ATTR {
+      return hn::And(areSame(instance, instancesAt(job.layers, other)),
+                     hn::Not(areSame(id, idsAt(job.layers, other))));
+    };
+    const VI bits =
+        hn::Or(bitIf(differ(index + 1), kMayCreaseRight), bitIf(differ(over), kMayCreaseAbove));
+    const auto old = hn::LoadU(DBytes(), pairs + i);
+    hn::StoreU(hn::Or(old, hn::DemoteTo(DBytes(), bits)), DBytes(), pairs + i);
+  }
+}
+
 }  // namespace limn::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -15,6 +15,7 @@ namespace limn {
 
 HWY_EXPORT(placeRowKernel);
 HWY_EXPORT(comparePairsKernel);
+HWY_EXPORT(compareIdsKernel);
 
 NeighbourRows::NeighbourRows(const SurfaceLayers& layers, const NeighbourBounds& bounds,
                              int samples, const PixelRectangle& touched)
@@ -45,9 +46,11 @@ void NeighbourRows::comparePairs(int y)
 {
   if (placed_ != y) placeRow(y);
   if (y + 1 < layers_.height) placeRow(y + 1);
+  const RowJob job = {layers_, bounds_, samples_, touched_.x0, y, layers_.indexOf(touched_.x0, y),
+                      count_};
   HWY_DYNAMIC_DISPATCH(comparePairsKernel)
-  ({layers_, bounds_, samples_, touched_.x0, y, layers_.indexOf(touched_.x0, y), count_},
-   rows_[y & 1], rows_[(y + 1) & 1], pairs_.data() + 1, asks_.data());
+  (job, rows_[y & 1], rows_[(y + 1) & 1], pairs_.data() + 1, asks_.data());
+  if (layers_.hasIds) HWY_DYNAMIC_DISPATCH(compareIdsKernel)(job, pairs_.data() + 1);
   // Next to the frame's border, and to what was not touched.
   pairs_[0] = kStepRight;
   pairs_[count_] |= kStepRight;

@@ -3,6 +3,7 @@
 #include "Rendering/Lines/FindEdges.h"
 
 #include "Rendering/Base/Power.h"
+#include "Rendering/Lines/IdBorders.h"
 #include "Rendering/Lines/PixelArea.h"
 
 #include <algorithm>
@@ -31,7 +32,7 @@ EdgeFinder::EdgeFinder(const OutlinePass& pass)
     const ImageOutline& outline = instance.style.imageOutline;
     const bool isOutlined = hasImageOutline(instance);
     const float crease = 1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees));
-    settings_.push_back({isOutlined, outline.detector, crease});
+    settings_.push_back({isOutlined, outline.detector, crease, hasIdBorders(instance)});
     bounds_.asks.push_back(
         !isOutlined
             ? 0
@@ -218,15 +219,8 @@ void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges) const
 }
 
 /// Where two planes that two pixels of a row or a column show meet.
-void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
-                             std::vector<CreaseCrossing>& found) const
+Vec2f EdgeFinder::creasePlace(const SurfaceLayer& first, const SurfaceLayer& second) const
 {
-  if (x >= layers_.width || y >= layers_.height) return;
-  const Pixel other = pixelAt(x, y);
-  if (other.instance != pixel.instance) return;
-  const SurfaceLayer &first = pixel.layer, &second = other.layer;
-  if (!(1.0f - dot(first.normal, second.normal) > settings_[pixel.instance].creaseBound)) return;
-  if (isStep(pixel, other)) return;
   const Vec3f eye = towardEye(first, second);
   const PlaneDistances distances(first, second);
   // Along the gaze: how far the first plane is before the second at either pixel.
@@ -234,11 +228,23 @@ void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
   const float atSecond = -(distances.ofSecond / dot(first.plane, eye));
   const float way = atFirst / (atFirst - atSecond);
   const float t = way > 0.0f && way < 1.0f ? way : 0.5f;
-  found.push_back({{first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t},
-                   pixel.x,
-                   static_cast<std::uint32_t>(pixel.index),
-                   first,
-                   second});
+  return {first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t};
+}
+
+void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
+                             std::vector<CreaseCrossing>& found) const
+{
+  if (x >= layers_.width || y >= layers_.height) return;
+  const Pixel other = pixelAt(x, y);
+  if (other.instance != pixel.instance) return;
+  const SurfaceLayer &first = pixel.layer, &second = other.layer;
+  const Settings& settings = settings_[pixel.instance];
+  const bool isBent = 1.0f - dot(first.normal, second.normal) > settings.creaseBound;
+  const bool isIdBorder = settings.hasIds && layers_.id[pixel.index] != layers_.id[other.index];
+  if (!(isBent || isIdBorder) || isStep(pixel, other)) return;
+  found.push_back({isBent ? creasePlace(first, second)
+                          : placeOfIdBorder(layers_, {pixel.x, pixel.y, x != pixel.x}),
+                   pixel.x, static_cast<std::uint32_t>(pixel.index), first, second});
 }
 
 void EdgeFinder::look(int x, int y, unsigned marks, EdgeRow& edges, CreaseRow& creases) const

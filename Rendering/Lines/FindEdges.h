@@ -24,7 +24,8 @@ struct EdgeRow {
   std::vector<EdgePoint> points;
 };
 
-/// Where a crease crosses the way from a pixel to its right neighbour or the one above.
+/// Where a crease, or a border between ids, crosses the way from a pixel to its right neighbour or
+/// the one above; the latter may be a little aside of that.
 struct CreaseCrossing {
   Vec2f place;
   int column;
@@ -59,6 +60,7 @@ class EdgeFinder {
     bool isOutlined = false;
     OutlineDetector detector = OutlineDetector::kNone;
     float creaseBound = 0;  ///< of 1 - n.n'
+    bool hasIds = false;
   };
   struct Pixel {
     int x, y;
@@ -82,6 +84,7 @@ class EdgeFinder {
   bool isBefore(const Pixel& first, const Pixel& second) const;
   float tolerance(const Pixel& first, const Pixel& second) const;
   void addEdge(const Pixel& pixel, EdgeRow& edges) const;
+  Vec2f creasePlace(const SurfaceLayer& first, const SurfaceLayer& second) const;
   void addCrossing(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;
   void look(int x, int y, unsigned marks, EdgeRow& edges, CreaseRow& creases) const;
 

@@ -63,8 +63,12 @@ struct SurfaceLayers {
   Array<float> depth;  ///< of that sample
   LayerVectors normal, plane;
   Array<Rgba8> color;
-  Array<Vec3f> radiance;  ///< the mean of the layer's; empty unless the frame has radiance
-  Array<float> halo;      ///< share of the layer that a halo has; empty: none
+  Array<Vec3f> radiance;          ///< the mean of the layer's; empty unless the frame has radiance
+  Array<float> halo;              ///< share of the layer that a halo has; empty: none
+  bool hasIds = false;            ///< the next two are written
+  Array<std::uint32_t> id;        ///< of Attributes::cellIds that of most samples, or the first of
+                                  ///< these; 0: there are none
+  Array<std::uint8_t> idSamples;  ///< how many of `count` show it
 
   std::size_t indexOf(int x, int y) const
   {
@@ -109,6 +113,12 @@ inline bool hasImageOutline(const Instance& instance)
 {
   return instance.style.imageOutline.detector != OutlineDetector::kNone &&
          instance.style.outlineWidth > 0.0f && !instance.isTranslucent();
+}
+
+inline bool hasIdBorders(const Instance& instance)
+{
+  return hasImageOutline(instance) && instance.style.imageOutline.ids && instance.hull == nullptr &&
+         !instance.attributes.cellIds.empty();
 }
 
 inline bool hasCues(const Instance& instance)

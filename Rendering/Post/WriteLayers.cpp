@@ -64,6 +64,25 @@ class LayerWriter {
     }
   }
 
+  /// SurfaceLayers::id, of what the two above have written.
+  void writeIds()
+  {
+    for (std::size_t r = 0; r < fragments_.runCount; ++r) {
+      const FragmentRun& run = fragments_.run[r];
+      if (run.length == 0) continue;
+      const std::size_t index = indexOf(run.pixel), length = run.length;
+      std::fill_n(layers_.id.data() + index, length, idOf(tile_.owner[0][run.pixel]));
+      std::fill_n(layers_.idSamples.data() + index, length, allSamples_);
+    }
+    for (std::size_t first = 0; first < fragments_.count;) {
+      std::size_t end = first + 1;
+      while (end < fragments_.count && fragments_.pixel[end] == fragments_.pixel[first])
+        ++end;
+      writeId(first, end);
+      first = end;
+    }
+  }
+
  private:
   struct Sample {
     int number;
@@ -184,6 +203,47 @@ class LayerWriter {
       layers_.radiance[index] = {radiance.x / n, radiance.y / n, radiance.z / n};
   }
 
+  /// Of the fragments [first, end), which are all of a pixel.
+  void writeId(std::size_t first, std::size_t end)
+  {
+    const std::size_t pixel = fragments_.pixel[first], index = indexOf(pixel);
+    layers_.id[index] = idOf(fragments_.owner[first]);
+    layers_.idSamples[index] = layers_.count[index];
+    if (end - first > 1) writeMixedId(first, end, index);
+  }
+  void writeMixedId(std::size_t first, std::size_t end, std::size_t index)
+  {
+    const std::size_t pixel = fragments_.pixel[first];
+    const std::uint32_t nearest = nearestSample(clusters_, tile_, scene_.samples, pixel).owner;
+    const SurfaceLayer layer = layers_.at(columnOf(pixel), rowOf(pixel));
+    // By ids, in the order of the first samples that show them.
+    std::uint32_t ids[kMaxSamples], samples[kMaxSamples];
+    int count = 0;
+    for (std::size_t f = first; f < end; ++f) {
+      const std::uint32_t owner = fragments_.owner[f];
+      if (owner != nearest && !isSameLayer(layer, nearest, f)) continue;
+      const std::uint32_t id = idOf(owner);
+      const int at = static_cast<int>(std::find(ids, ids + count, id) - ids);
+      if (at == count) {
+        ids[count] = id;
+        samples[count++] = 0;
+      }
+      samples[at] += bitCount(fragments_.coverage[f]);
+    }
+    const auto most = std::max_element(samples, samples + count) - samples;
+    layers_.id[index] = ids[most];
+    layers_.idSamples[index] = static_cast<std::uint8_t>(samples[most]);
+  }
+  std::uint32_t idOf(std::uint32_t owner) const
+  {
+    const PlacedCluster cluster = clusters_.at(TileOwner::slot(owner));
+    const Instance& instance = *cluster.placed->instance;
+    if (!hasIdBorders(instance)) return 0;
+    const std::uint32_t triangle = cluster.meshTriangle(TileOwner::triangle(owner));
+    const Attributes& attributes = instance.attributes;
+    return attributes.cellIds[attributes.cells.empty() ? triangle : attributes.cells[triangle]];
+  }
+
   bool isSameLayer(const SurfaceLayer& layer, std::uint32_t owner, std::size_t f) const
   {
     const PlacedInstance* const placed = placedOf(owner);
@@ -288,6 +348,7 @@ void writeLayers(const TileClusters& clusters, const VisibilityTile& tile,
   LayerWriter writer(clusters, tile, pixels, fragments, colors, target, resolved);
   writer.writeRuns();
   writer.writeFragments();
+  if (target.layers.hasIds) writer.writeIds();
 }
 
 }  // namespace limn

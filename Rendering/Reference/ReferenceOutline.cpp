@@ -288,15 +288,65 @@ class Outlines {
       }
   }
 
-  /// Where the planes that p and q show meet, between the two, if they make a crease.
+  /// Where there is a crease or a border of ids between p and q.
   std::optional<Vec2f> crossing(Pixel p, Pixel q) const
   {
-    if (!isInside(q) || layer(q).instance != layer(p).instance) return {};
-    const Layer &a = layer(p), &b = layer(q);
+    if (!isInside(q) || layer(q).instance != layer(p).instance || isEdge(p, q)) return {};
     const double angle = styleAt(p).imageOutline.creaseDegrees;
-    if (!(1.0f - dot(a.normal, b.normal) > 1.0f - static_cast<float>(cosineOfDegrees(angle))))
-      return {};
-    if (isEdge(p, q)) return {};
+    const float turn = 1.0f - dot(layer(p).normal, layer(q).normal);
+    if (turn > 1.0f - static_cast<float>(cosineOfDegrees(angle))) return creasePlace(p, q);
+    if (styleAt(p).imageOutline.ids && layer(p).id != layer(q).id) return idBorderPlace(p, q);
+    return {};
+  }
+
+  /// How much of r shows p's id, for two ids p and q. Where the instance is not seen p's goes on
+  /// before and q's behind.
+  float idShare(Pixel p, Pixel q, Pixel r) const
+  {
+    if (!isInside(r) || layer(r).instance != layer(p).instance) {
+      const int steps = (r.x - p.x) * (q.x - p.x) + (r.y - p.y) * (q.y - p.y);
+      return steps > 0 ? 0.0f : 1.0f;
+    }
+    const float share = static_cast<float>(layer(r).idSamples) / static_cast<float>(layer(r).count);
+    if (layer(r).id == layer(p).id) return share;
+    return layer(r).id == layer(q).id ? 1.0f - share : 0.0f;
+  }
+
+  /// The height function of p's id over the line between p and q, or beside it, in a window of four
+  /// by three pixels.
+  Vec2f idBorderPlace(Pixel p, Pixel q) const
+  {
+    const Pixel d = {q.x - p.x, q.y - p.y}, e = {d.y, d.x};
+    const auto share = [&](int i, int j) {
+      return idShare(p, q, {p.x + i * d.x + j * e.x, p.y + i * d.y + j * e.y});
+    };
+    float along = 0, across = 0;  // how p's id grows
+    for (int j = -1; j <= 1; ++j)
+      along += share(1, j) + share(2, j) - (share(-1, j) + share(0, j));
+    for (int i = -1; i <= 2; ++i)
+      across += share(i, 1) - share(i, -1);
+    const bool isAlong = std::fabs(along) >= std::fabs(across);
+    const bool isBehind = (isAlong ? along : across) > 0;
+    const auto lower = [&](int i, int j) { return isBehind ? 1 - share(i, j) : share(i, j); };
+    // The ends of a stack show the lower id below and the other above, or they show a third.
+    const auto bottom = [&](int i, int j) { return lower(i, j) < 0.5f ? 1 : lower(i, j); };
+    const auto top = [&](int i, int j) { return lower(i, j) > 0.5f ? 0 : lower(i, j); };
+    Vec2f offset = {0.5f, 0};
+    if (isAlong) {
+      const float height = bottom(-1, 0) + lower(0, 0) + (lower(1, 0) + top(2, 0));
+      offset.x = std::clamp(height - 1.5f, -0.5f, 1.5f);
+    } else {
+      const float first = bottom(0, -1) + lower(0, 0) + top(0, 1);
+      const float second = bottom(1, -1) + lower(1, 0) + top(1, 1);
+      offset.y = std::clamp((first + second) / 2 - 1.5f, -1.0f, 1.0f);
+    }
+    return centre(p) + Vec2f{d.x == 1 ? offset.x : offset.y, d.x == 1 ? offset.y : offset.x};
+  }
+
+  /// Where the planes that p and q show meet, between the two.
+  Vec2f creasePlace(Pixel p, Pixel q) const
+  {
+    const Layer &a = layer(p), &b = layer(q);
     const Vec3f eye = betweenAndEye(a, b);
     const Vec3f way = b.point.position - a.point.position;
     const float gapAtP = dot(b.plane, way * -1.0f) / dot(b.plane, eye);

@@ -23,7 +23,9 @@ struct Layer {
   std::uint32_t other = kNobody;  ///< instance of the first sample that shows another surface
   Rgba8 color;                    ///< mean of those that show it
   Vec3f radiance;                 ///< likewise
-  float halo = 0;                 ///< share of it that a halo has, where no line is drawn
+  std::uint32_t id = 0;  ///< that of Attributes::cellIds that most of `count` show, or the first
+  int idSamples = 0;     ///< how many of `count` show that
+  float halo = 0;        ///< share of it that a halo has, where no line is drawn
 };
 
 /// Whether two points lie on different surfaces of one instance: one is off the other's plane by

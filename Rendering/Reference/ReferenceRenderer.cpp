@@ -585,6 +585,15 @@ class Picture {
     return layer;
   }
 
+  /// What the triangle is a part of.
+  std::uint32_t idOf(const Owner& owner) const
+  {
+    const Instance& instance = placed_[owner.instance].instance();
+    const Attributes& a = instance.attributes;
+    if (!instance.style.imageOutline.ids || a.cellIds.empty() || instance.hull != nullptr) return 0;
+    return a.cellIds[a.cells.empty() ? owner.triangle : a.cells[owner.triangle]];
+  }
+
   Layer layerOf(int x, int y)
   {
     const Sample* const nearest = nearestSample(x, y);
@@ -595,6 +604,7 @@ class Picture {
     std::vector<Rgba8> colors;
     std::vector<SeenTriangle> triangles;
     std::map<Owner, bool> isSame;
+    std::vector<std::uint32_t> ids;
     int covered = 0;
     for (std::size_t s = 0; s < offsets_.size(); ++s) {
       const Owner owner = sample(x, y, s).owner;
@@ -609,11 +619,18 @@ class Picture {
         if (layer.other == kNobody) layer.other = owner.instance;
         continue;
       }
+      ids.push_back(idOf(owner));
       const Vec3f color = shadeOwner(x, y, owner);
       colors.push_back({toByte(color.x), toByte(color.y), toByte(color.z), 255});
       note(triangles, owner, color);
     }
     layer.count = static_cast<int>(colors.size());
+    for (const std::uint32_t id : ids) {
+      const auto samples = static_cast<int>(std::count(ids.begin(), ids.end(), id));
+      if (samples <= layer.idSamples) continue;
+      layer.id = id;
+      layer.idSamples = samples;
+    }
     layer.covered = covered;
     layer.shared = frame_.background == Background::kKeepApart ? covered : scene_.samples;
     layer.color = meanColor(colors, scene_.resolve);

@@ -387,6 +387,25 @@ Picture drawnWithout(const RandomScene& random, const FrameClear& clear,
   return picture;
 }
 
+TEST_P(EveryTarget, DrawsBordersOfIdsLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 90; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kIdBorders);
+    Picture expected = random.canvas(), actual = random.canvas();
+    const FrameView frame = actual.frame(random.background());
+    ASSERT_TRUE(
+        render(random.scene(), expected.frame(random.background()), {Backend::kReference, 1}).ok());
+    ASSERT_TRUE(render(random.scene(), frame, {Backend::kPipeline, kThreads[seed % 4]}).ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    const Picture without =
+        drawnWithout(random, {}, [](Style& style) { style.imageOutline.ids = false; });
+    changedPixels += actual.differingPixels(without);
+  }
+  EXPECT_GT(changedPixels, 10000u) << "the borders must show";
+}
+
 TEST_P(EveryTarget, DrawsDepthCuesLikeTheReference)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};

@@ -274,7 +274,8 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
     addTones();
   if (detail == Detail::kDataTones) addDataTones();
   if (detail == Detail::kHulls) addHulls();
-  if (detail == Detail::kImageLines) addImageLines();
+  if (detail == Detail::kImageLines || detail == Detail::kIdBorders) addImageLines();
+  if (detail == Detail::kIdBorders) addIds();
   if (detail == Detail::kCues) addCues();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
@@ -309,7 +310,9 @@ void RandomScene::addMesh(Random& random, Detail detail)
       detail == Detail::kFine || detail == Detail::kFineTranslucent ||
               (detail == Detail::kHulls && seed_ % 8 == 0) ||
               (detail == Detail::kLines && seed_ % 5 == 0) ||
-              ((detail == Detail::kImageLines || detail == Detail::kCues) && seed_ % 3 == 1) ||
+              ((detail == Detail::kImageLines || detail == Detail::kIdBorders ||
+                detail == Detail::kCues) &&
+               seed_ % 3 == 1) ||
               (detail == Detail::kExaggerated && seed_ % 3 == 1)
           ? makeBumpySphere(random, *mesh)
       : detail == Detail::kHulls ? makeSolids(random, *mesh)
@@ -318,7 +321,8 @@ void RandomScene::addMesh(Random& random, Detail detail)
                 detail == Detail::kTranslucent || detail == Detail::kTones ||
                 detail == Detail::kDataTones || detail == Detail::kLines ||
                 detail == Detail::kHatching || detail == Detail::kExaggerated ||
-                detail == Detail::kImageLines || detail == Detail::kCues) &&
+                detail == Detail::kImageLines || detail == Detail::kIdBorders ||
+                detail == Detail::kCues) &&
                seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
@@ -705,6 +709,28 @@ void RandomScene::addImageLines()
     style.outlineOpacity = random.chance(2) ? 1 : number(0, 1);
     // Facets would be nothing but creases.
     if (!random.chance(4)) style.normals = NormalSource::kVertex;
+  }
+}
+
+void RandomScene::addIds()
+{
+  Random random(seed_ ^ 0x1D5u);
+  for (const auto& mesh : meshes_) {
+    // Patches of cells, and now and then each its own.
+    const std::uint32_t parts = 2 + random.below(6), patch = 1 + random.below(40);
+    mesh->cellIds.resize(mesh->cells.empty() ? mesh->triangles.size() : mesh->cellCount);
+    for (std::size_t cell = 0; cell < mesh->cellIds.size(); ++cell)
+      mesh->cellIds[cell] = patch == 1
+                                ? random.below(parts)
+                                : static_cast<std::uint32_t>(cell / patch) * 2654435761u % parts;
+  }
+  for (std::size_t i = 0; i < instances_.size(); ++i) {
+    Instance& instance = instances_[i];
+    if (!random.chance(6)) instance.attributes.cellIds = meshes_[i % meshes_.size()]->cellIds;
+    instance.style.imageOutline.ids = !random.chance(5);
+    if (random.chance(3)) instance.style.imageOutline.creaseDegrees = 180;
+    // Large enough for borders to be no steps.
+    if (random.chance(2)) instance.style.imageOutline.depthTolerance *= 4;
   }
 }
 

@@ -46,7 +46,7 @@ struct OwnedMesh {
   std::vector<Vec3f> vertexNormals, cellNormals;
   std::vector<Rgba8> vertexColors, cellColors;
   std::vector<Vec2f> uv, uv2;
-  std::vector<std::uint32_t> cells;
+  std::vector<std::uint32_t> cells, cellIds;
   std::size_t cellCount = 0;
   FaceGeometry faces;
   SplitNormals splitNormals;
@@ -101,6 +101,7 @@ class RandomScene {
     kLines,        ///< as kAny, kFine or kCoarse, with lines of all kinds
     kHatching,     ///< as kTones, with hatching alone
     kImageLines,   ///< as kAny, kFine or kCoarse, most with lines from the picture
+    kIdBorders,    ///< likewise with ids of cells, most with borders between them
     kCues,         ///< likewise with depth cues, some with lines from the picture as well
     kExaggerated,  ///< as kTones, with exaggerated shading alone, half of it over colours of data
   };
@@ -129,6 +130,7 @@ class RandomScene {
   void addExaggeration();
   void addHulls();
   void addImageLines();
+  void addIds();
   void addCues();
   void joinTextures();
   void addImages(Random& random);

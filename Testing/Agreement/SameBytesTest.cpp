@@ -27,6 +27,7 @@ constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 422314681313311824u;
 constexpr std::uint64_t kHashOfImageLines = 223056381221696186u;
+constexpr std::uint64_t kHashOfIdBorders = 9878739866384948715u;
 constexpr std::uint64_t kHashOfCues = 13063806535809854760u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 14800548386128781990u;
@@ -145,6 +146,13 @@ TEST_P(SameBytes, ImageLinesHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kImageLines);
   std::cout << "kHashOfImageLines " << hash << '\n';
   EXPECT_EQ(hash, kHashOfImageLines);
+}
+
+TEST_P(SameBytes, BordersOfIdsHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kIdBorders);
+  std::cout << "kHashOfIdBorders " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfIdBorders);
 }
 
 TEST_P(SameBytes, DepthCuesHaveTheKnownHash)
