@@ -69,11 +69,9 @@ class Window {
   static float before(float share) { return share < 0.5f ? 1.0f : share; }
   static float behind(float share) { return share > 0.5f ? 0.0f : share; }
 
-  Vec2f placeAlong() const
-  {
-    const float sum = (before(share_[0][1]) + share_[1][1]) + (share_[2][1] + behind(share_[3][1]));
-    return at(bounded(sum - 1.5f, -0.5f, 1.5f), 0.0f);
-  }
+  /// The first id has most of the first pixel and the second of the other, so that a border at 45
+  /// degrees or more does not leave the two.
+  Vec2f placeAlong() const { return at((share_[1][1] + share_[2][1]) - 0.5f, 0.0f); }
   Vec2f placeAcross() const
   {
     const auto height = [&](int i) {

@@ -14,7 +14,7 @@ struct IdPair {
 
 /// Where the border between two ids is nearest to the middle between the two pixels, along the axis
 /// that it runs across: ImageOutline::ids. Pixels from the frame's corner, at most one and a half
-/// from either centre. Of borders that are less than two pixels apart it is a guess.
+/// from either centre. Of borders that are less than a pixel apart it is a guess.
 Vec2f placeOfIdBorder(const SurfaceLayers& layers, const IdPair& pair);
 
 }  // namespace limn

@@ -333,8 +333,8 @@ class Outlines {
     const auto top = [&](int i, int j) { return lower(i, j) > 0.5f ? 0 : lower(i, j); };
     Vec2f offset = {0.5f, 0};
     if (isAlong) {
-      const float height = bottom(-1, 0) + lower(0, 0) + (lower(1, 0) + top(2, 0));
-      offset.x = std::clamp(height - 1.5f, -0.5f, 1.5f);
+      // At 45 degrees or more it does not leave these two, as p shows more of its id and q of its.
+      offset.x = lower(0, 0) + lower(1, 0) - 0.5f;
     } else {
       const float first = bottom(0, -1) + lower(0, 0) + top(0, 1);
       const float second = bottom(1, -1) + lower(1, 0) + top(1, 1);

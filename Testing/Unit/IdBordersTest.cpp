@@ -150,6 +150,34 @@ TEST_P(IdBorders, CoverTheLinesOfACheckeredPlane)
     }
 }
 
+TEST_P(IdBorders, LieAtBothSidesOfANarrowPart)
+{
+  // A part of 2.2 pixels, and then of 1.4: a window about one border sees the other, too.
+  const std::vector<std::uint32_t> ids = {1, 1, 2, 2, 1, 1};
+  struct Case {
+    double left, right;
+    float width;
+    std::vector<double> columns;  ///< from 49 on
+  };
+  const Case cases[] = {{50.1, 52.3, 1, {0.4, 0.6, 0.2, 0.8}},
+                        {50.4, 51.8, 0.6f, {0, 0.6, 0.5, 0.1}}};
+  for (const Case& one : cases) {
+    std::vector<Vec3d> points;
+    const double x[] = {-10, one.left, one.right, 110};
+    for (int i = 0; i < 3; ++i) {
+      const Vec3d a = {x[i], -10, 0}, b = {x[i + 1], -10, 0}, up = {0, 120, 0};
+      points.insert(points.end(), {a, b, b + up, a, b + up, a + up});
+    }
+    const OwnedMesh mesh = soup(points);
+    Stage stage = flatStage(100, 16);
+    stage.instances = {parted(mesh, ids, one.width)};
+    const Picture picture = draw(stage);
+    for (std::size_t i = 0; i < one.columns.size(); ++i)
+      EXPECT_NEAR(darknessAt(picture, 49 + static_cast<int>(i), 50), one.columns[i], 0.04)
+          << "column " << i << " of " << one.left;
+  }
+}
+
 TEST_P(IdBorders, CrossACurvedSurfaceAndLieNowhereElse)
 {
   const OwnedMesh& ball = fineSphere();
