@@ -299,6 +299,7 @@ void setOutline(const MaterialSettings& material, vtkLimnProperty& property)
   {
     property.SetOutlineCreaseAngle(*material.outlineCreaseDegrees);
   }
+  property.SetOutlineIds(material.outlineIds);
 }
 
 void setIllustration(const MaterialSettings& material, vtkLimnProperty& property)
@@ -551,9 +552,12 @@ void requireFaces(const std::vector<Mesh>& meshes)
 }
 
 /// Of cells, for lines between those that differ.
-void requireIds(const LineSettings& lines, const std::vector<Mesh>& meshes)
+void requireIds(const SceneSettings& settings, const std::vector<Mesh>& meshes)
 {
-  if (std::find(lines.kinds.begin(), lines.kinds.end(), LineKind::Ids) == lines.kinds.end())
+  const LineSettings& lines = settings.lines;
+  const bool areLines =
+    std::find(lines.kinds.begin(), lines.kinds.end(), LineKind::Ids) != lines.kinds.end();
+  if (!areLines && !settings.material.outlineIds)
   {
     return;
   }
@@ -564,10 +568,10 @@ void requireIds(const LineSettings& lines, const std::vector<Mesh>& meshes)
   };
   if (std::none_of(meshes.begin(), meshes.end(), hasIds))
   {
-    throw UserError(
-      lines.idArray
-        ? "--ids-array=" + *lines.idArray + ": no mesh has such cell data"
-        : std::string("--lines=ids: no mesh has cell scalars; name cell data with --ids-array"));
+    throw UserError(lines.idArray
+                      ? "--ids-array=" + *lines.idArray + ": no mesh has such cell data"
+                      : std::string(areLines ? "--lines=ids" : "--outline-ids") +
+                          ": no mesh has cell scalars; name cell data with --ids-array");
   }
 }
 
@@ -614,7 +618,7 @@ void buildScene(
   const SceneSettings& settings, const std::vector<Mesh>& meshes, vtkRenderer& renderer)
 {
   requireFaces(meshes);
-  requireIds(settings.lines, meshes);
+  requireIds(settings, meshes);
   setBackground(settings, renderer);
   addLights(settings, renderer);
   addMeshes(settings, meshes, renderer);

@@ -116,6 +116,7 @@ void checkOutline(const MaterialSettings& material)
     { "--outline-detector", material.outlineDetector.has_value() },
     { "--outline-tolerance", material.outlineTolerance.has_value() },
     { "--outline-crease-angle", material.outlineCreaseDegrees.has_value() },
+    { "--outline-ids", material.outlineIds },
   };
   for (const auto& [option, isGiven] : ofImage)
   {

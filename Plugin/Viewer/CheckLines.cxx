@@ -79,9 +79,9 @@ void checkLines(const SceneSettings& scene)
     throw UserError(std::string("--lines=") + (has(LineKind::Shadow) ? "shadow" : "terminator") +
                     " needs a light beside the camera; add --light=directional:1,-1,-1:1,1,1");
   }
-  if (lines.idArray && !has(LineKind::Ids))
+  if (lines.idArray && !has(LineKind::Ids) && !scene.material.outlineIds)
   {
-    throw UserError("--ids-array needs --lines=ids");
+    throw UserError("--ids-array needs --lines=ids or --outline-ids");
   }
   if (lines.width)
   {

@@ -274,6 +274,7 @@ struct MaterialSettings
   std::optional<double> outlineOpacity;    ///< 0 to 1; 1 if not given
   std::optional<Detector> outlineDetector; ///< of Outline::Image; plane if not given
   std::optional<double> outlineTolerance, outlineCreaseDegrees; ///< likewise; the property's
+  bool outlineIds = false;                                      ///< of Outline::Image
   bool backfaceCulling = false;
 };
 

@@ -354,6 +354,9 @@ void addIllustration(OptionList& options, SceneSettings& scene)
     "of image, between normals as they are drawn: hard edges\nof meshes without normals need "
     "--feature-angle; 180: none (40)",
     into(material.outlineCreaseDegrees, parseFeatureAngle));
+  options.addSwitch("--outline-ids",
+    "of image: lines between parts of a mesh, too, by the\ncell data that --ids-array names",
+    material.outlineIds);
 }
 
 std::vector<LineKind> parseLineKinds(Text option, Text text)

@@ -402,6 +402,7 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetOutlineDetector(other->OutlineDetector);
   this->SetOutlineDepthTolerance(other->OutlineDepthTolerance);
   this->SetOutlineCreaseAngle(other->OutlineCreaseAngle);
+  this->SetOutlineIds(other->OutlineIds);
   this->CopyCues(other);
   this->SetTextureRole(other->TextureRole);
   this->SetTextureMode(other->TextureMode);
@@ -528,6 +529,7 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutlineDetector: " << this->GetOutlineDetectorAsString() << "\n";
   os << indent << "OutlineDepthTolerance: " << this->OutlineDepthTolerance << "\n";
   os << indent << "OutlineCreaseAngle: " << this->OutlineCreaseAngle << "\n";
+  os << indent << "OutlineIds: " << (this->OutlineIds ? "On" : "Off") << "\n";
   this->PrintCues(os, indent);
   os << indent << "TextureRole: " << this->GetTextureRoleAsString() << "\n";
   os << indent << "TextureMode: " << this->GetTextureModeAsString() << "\n";

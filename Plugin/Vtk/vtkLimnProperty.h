@@ -565,6 +565,17 @@ public:
 
   ///@{
   /**
+   * Whether Image draws lines, in the middle as those of creases, between parts of one actor, too:
+   * where the cell array named by SetIdArrayName() changes, or the cell scalars if that is not set.
+   * Default: off.
+   */
+  vtkSetMacro(OutlineIds, bool);
+  vtkGetMacro(OutlineIds, bool);
+  vtkBooleanMacro(OutlineIds, bool);
+  ///@}
+
+  ///@{
+  /**
    * Lines along edges of the mesh, drawn as strokes: creases, whose faces' normals are more than
    * CreaseAngle apart; borders, of one face; non-manifold edges, of three faces or more; edges
    * whose faces differ in the cell array named by SetIdArrayName(), or the cell scalars if that is
@@ -1038,6 +1049,7 @@ protected:
   int OutlineDetector = OUTLINE_BY_PLANE;
   double OutlineDepthTolerance = 3.0;
   double OutlineCreaseAngle = 40.0;
+  bool OutlineIds = false;
   bool CreaseLines = false;
   bool BorderLines = false;
   bool NonManifoldLines = false;

@@ -235,7 +235,8 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=ridge", "--ridge-threshold=-1" }, "--ridge-threshold=-1 is negative" },
     { { "--lines=ridge", "--ridge-threshold=nan" },
       "--ridge-threshold=nan is not a finite number, as in --ridge-threshold=1.5" },
-    { { "--lines=border", "--ids-array=part" }, "--ids-array needs --lines=ids" },
+    { { "--lines=border", "--ids-array=part" }, "--ids-array needs --lines=ids or --outline-ids" },
+    { { "--outline=hull", "--outline-ids" }, "--outline-ids needs --outline=image" },
     { { "--lines=border", "--dpi=300" },
       "--dpi needs --stroke-width, --hatch-spacing or --halo in pt or mm, or --style=print" },
     { { "--lines=crease,edges" },
@@ -888,9 +889,9 @@ TEST(Arguments, HelpListsEveryServedOption)
       "--toon-ramp-range", "--matcap", "--hatch-spacing", "--hatch-darkest", "--hatch-ink",
       "--hatch-paper", "--hatch-on", "--exaggeration-contrast", "--exaggeration-exponent",
       "--exaggeration-base", "--exaggeration-levels", "--exaggeration-scale", "--hatch-width",
-      "--outline-detector", "--outline-tolerance", "--outline-crease-angle", "--output-normals",
-      "--output-depth", "--output-ids", "--coloring-array", "--colormap", "--coloring-range",
-      "--samples", "--backface-culling", "--threads", "--window", "--stats" })
+      "--outline-detector", "--outline-tolerance", "--outline-crease-angle", "--outline-ids",
+      "--output-normals", "--output-depth", "--output-ids", "--coloring-array", "--colormap",
+      "--coloring-range", "--samples", "--backface-culling", "--threads", "--window", "--stats" })
   {
     EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
   }

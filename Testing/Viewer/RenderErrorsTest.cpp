@@ -172,6 +172,8 @@ TEST_F(RenderErrors, CellDataForLinesThatNoMeshHas)
   expectError(triangle(), { "--ids-array=part", "no mesh has such cell data" },
     { "--lines=ids", "--ids-array=part" });
   expectError(triangle(), { "--lines=ids", "--ids-array" }, { "--lines=ids" });
+  expectError(
+    triangle(), { "--outline-ids", "--ids-array" }, { "--outline=image", "--outline-ids" });
 }
 
 TEST_F(RenderErrors, OneBadMeshAmongGoodOnes)

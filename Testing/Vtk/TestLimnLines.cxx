@@ -15,6 +15,7 @@
 #include "vtkCubeSource.h"
 #include "vtkDataArray.h"
 #include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataNormals.h"
@@ -129,6 +130,51 @@ void checkIds()
   parts->Modified();
   data->Modified();
   checkIsNear(stage.Coverage(), 120, 8);
+}
+
+void checkIdsOfThePicture()
+{
+  LineStage stage;
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-20, -20, 0);
+  plane->SetPoint1(140, -20, 0);
+  plane->SetPoint2(-20, 140, 0);
+  plane->SetResolution(2, 2);
+  plane->Update();
+  vtkPolyData* const data = plane->GetOutput();
+  vtkNew<vtkDoubleArray> parts;
+  parts->SetName("part");
+  for (int cell = 0; cell < 4; ++cell)
+  {
+    parts->InsertNextValue(cell < 2 ? 0.25 : 0.5);
+  }
+  data->GetCellData()->AddArray(parts);
+  stage.Mapper->SetInputData(data);
+  stage.Property->SetOutlineToImage();
+  stage.Property->SetOutlineWidth(2);
+  stage.Property->SetOutlineColor(1, 0, 0);
+  const double width = render(stage.Window).Width;
+  stage.Property->OutlineIdsOn();
+  CHECK_EQUAL(stage.Coverage(), 0); // no cell scalars
+  stage.Property->SetIdArrayName("part");
+  checkIsNear(stage.Coverage(), 2 * width, 2);
+  parts->SetValue(2, 0.25);
+  parts->SetValue(3, 0.25);
+  parts->Modified();
+  data->Modified();
+  CHECK_EQUAL(stage.Coverage(), 0);
+  // An actor of the same mapper with another array.
+  vtkNew<vtkIntArray> others;
+  others->SetName("other");
+  for (int cell = 0; cell < 4; ++cell)
+  {
+    others->InsertNextValue(cell);
+  }
+  data->GetCellData()->AddArray(others);
+  stage.Property->SetIdArrayName("other");
+  CHECK(stage.Coverage() > 2 * width);
+  stage.Property->OutlineIdsOff();
+  CHECK_EQUAL(stage.Coverage(), 0);
 }
 
 void checkCaching()
@@ -567,6 +613,7 @@ int TestLimnLines(int, char*[])
   checkBorders();
   checkUnits();
   checkIds();
+  checkIdsOfThePicture();
   checkCaching();
   checkContour();
   checkCurves();

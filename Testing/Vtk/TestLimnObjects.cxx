@@ -120,6 +120,7 @@ void checkPropertyCopy()
   property->SetOutlineDetectorToLaplacian();
   property->SetOutlineDepthTolerance(1.5);
   property->SetOutlineCreaseAngle(25);
+  property->OutlineIdsOn();
   property->SetOutlineColor(1, 0, 1);
   property->SetOutlineOpacity(0.6);
   property->SetToonBands(5);
@@ -213,6 +214,7 @@ void checkPropertyCopy()
   CHECK_EQUAL(copy->GetOutlineDetectorAsString(), std::string("Laplacian"));
   CHECK_EQUAL(copy->GetOutlineDepthTolerance(), 1.5);
   CHECK_EQUAL(copy->GetOutlineCreaseAngle(), 25.0);
+  CHECK(copy->GetOutlineIds());
 
   property->SetShadingFrequency(99);
   CHECK_EQUAL(property->GetShadingFrequency(), int(vtkLimnProperty::FREQUENCY_PHONG));

@@ -3,6 +3,7 @@
 #ifndef MapperInternals_h
 #define MapperInternals_h
 
+#include "CellIds.h"
 #include "InputBounds.h"
 #include "KnownInput.h"
 #include "MovedPoints.h"
@@ -18,6 +19,7 @@ public:
   limn::bridge::MovedPoints Moved;
   limn::bridge::SurfaceMesh Mesh;
   limn::bridge::SurfaceLines Lines;
+  limn::bridge::CellIds Ids;
   limn::bridge::InputBounds InputBounds;
   limn::bridge::KnownInput Input;
   limn::bridge::MapperTextures Textures;

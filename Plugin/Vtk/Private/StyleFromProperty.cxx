@@ -295,6 +295,7 @@ void setImageOutline(vtkLimnProperty* property, Style& style)
   }
   outline.depthTolerance = static_cast<float>(property->GetOutlineDepthTolerance());
   outline.creaseDegrees = static_cast<float>(property->GetOutlineCreaseAngle());
+  outline.ids = property->GetOutlineIds();
 }
 
 void setIllustration(vtkLimnProperty* property, Style& style)

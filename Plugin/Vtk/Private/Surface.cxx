@@ -158,6 +158,21 @@ void setTransparency(const Surface& surface, Instance& instance)
                                !instance.attributes.cellColors.empty() || !instance.layers.empty());
 }
 
+/// For outlines of the picture between parts.
+void setIds(const Surface& surface, vtkPolyData* data, Instance& instance, FrameNormals& kept)
+{
+  if (!instance.style.imageOutline.ids)
+  {
+    return;
+  }
+  vtkLimnProperty* const property = vtkLimnProperty::SafeDownCast(surface.actor->GetProperty());
+  if (auto ids = surface.mapper->GetInternals().Ids.of(property, data))
+  {
+    instance.attributes.cellIds = *ids;
+    kept.push_back(std::move(ids));
+  }
+}
+
 void complainOnce(vtkLimnPolyDataMapper* mapper)
 {
   vtkLimnPolyDataMapper::vtkInternals& internals = mapper->GetInternals();
@@ -241,6 +256,7 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
   instance.cullFrontFaces = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
   setColors(surface.mapper, data, instance);
   mesh.describe(instance);
+  setIds(surface, data, instance, normals);
   if (auto computed = mesh.computedNormals())
   {
     normals.push_back(std::move(computed));

@@ -49,7 +49,8 @@ struct CollectedSurfaces
 /// The surfaces of the renderer's visible actors that Limn draws.
 CollectedSurfaces surfacesOf(vtkRenderer* renderer, Assemblies assemblies);
 
-/// Normals that instances borrow while another actor of the same mapper may have other ones made.
+/// Normals and ids of cells that instances borrow while another actor of the same mapper may have
+/// other ones made.
 using FrameNormals = std::vector<std::shared_ptr<const void>>;
 
 /// The surface as an instance of a scene, borrowing from the mapper, from `normals`, to which this

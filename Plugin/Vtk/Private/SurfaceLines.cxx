@@ -2,19 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceLines.h"
 
+#include "CellIds.h"
 #include "StyleFromProperty.h"
 
 #include "vtkLimnProperty.h"
 
 #include "Rendering/Lines/Terminator.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cstring>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -100,33 +99,6 @@ Status checkStroke(const LineStyle& style)
   }
   return {};
 }
-
-namespace
-{
-
-vtkDataArray* idArrayOf(vtkLimnProperty* property, vtkPolyData* data)
-{
-  const char* const name = property->GetIdArrayName();
-  vtkCellData* const cells = data->GetCellData();
-  return name && *name ? cells->GetArray(name) : cells->GetScalars();
-}
-
-/// Equal values have equal numbers.
-std::vector<std::uint32_t> numbersOf(vtkDataArray* ids)
-{
-  std::vector<std::uint32_t> numbers(static_cast<std::size_t>(ids->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    const double value = ids->GetComponent(static_cast<vtkIdType>(i), 0) + 0.0;
-    std::uint64_t bits;
-    std::memcpy(&bits, &value, sizeof bits);
-    constexpr std::uint64_t kOdd = 0x9E3779B97F4A7C15u;
-    numbers[i] = static_cast<std::uint32_t>(bits * kOdd >> 32);
-  }
-  return numbers;
-}
-
-} // namespace
 
 bool wantsLines(vtkProperty* property)
 {
@@ -296,15 +268,14 @@ void SurfaceLines::addFeatures(vtkLimnProperty* property, vtkPolyData* data, con
   Choice choice;
   choice.kinds = kindsOf(property);
   vtkDataArray* const ids = property->GetIdLines() ? idArrayOf(property, data) : nullptr;
-  const bool hasIds = ids && ids->GetNumberOfTuples() == data->GetNumberOfCells();
   choice.creaseDegrees = property->GetCreaseAngle();
-  choice.ids = hasIds ? ids : nullptr;
-  choice.idsTime = hasIds ? ids->GetMTime() : 0;
+  choice.ids = ids;
+  choice.idsTime = ids ? ids->GetMTime() : 0;
   if (property->GetNormalLines())
   {
     choice.normals = normalsVersion(property, data, instance);
   }
-  this->updateFeatures(choice, hasIds ? ids : nullptr, instance, view.threads);
+  this->updateFeatures(choice, ids, instance, view.threads);
   frame.edges.push_back(features_);
   if (property->GetOuterWidthFactor() != 1)
   {
