@@ -444,8 +444,7 @@ void applyLines(const LineSettings& lines, vtkLimnProperty& property)
   property.SetLineLights(lines.lights.value_or(LineLights::First) == LineLights::All
                            ? vtkLimnProperty::LINE_LIGHTS_ALL
                            : vtkLimnProperty::LINE_LIGHTS_FIRST);
-  const StrokeWidth width =
-    lines.width.value_or(StrokeWidth{ 1.5, vtkLimnProperty::STROKE_PIXELS });
+  const StrokeWidth width = lines.width.value_or(kUsualStroke);
   property.SetStrokeWidth(width.value);
   property.SetStrokeUnit(width.unit);
   property.SetOuterWidthFactor(lines.outerWidth.value_or(1));
@@ -495,6 +494,14 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
     property.SetStrokeWidth(lines.width->value);
     property.SetStrokeUnit(lines.width->unit);
   }
+  const std::optional<StrokeWidth>& spacing = settings.material.hatchSpacing;
+  if (spacing)
+  {
+    property.SetHatchSpacing(spacing->value);
+    property.SetHatchUnit(spacing->unit);
+  }
+  property.SetHatchDarkest(settings.material.hatchDarkest.value_or(property.GetHatchDarkest()));
+  property.SetHatchWidth(lines.hatchWidth.value_or(property.GetHatchWidth()));
   property.SetOuterWidthFactor(lines.outerWidth.value_or(property.GetOuterWidthFactor()));
   property.SetStrokeOpacity(lines.opacity.value_or(property.GetStrokeOpacity()));
   property.SetStrokeTaper(lines.taper.value_or(property.GetStrokeTaper()));

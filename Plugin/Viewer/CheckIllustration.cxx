@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckIllustration.h"
 
+#include "CheckLines.h"
 #include "RenderSettings.h"
 #include "UserError.h"
 
@@ -74,7 +75,8 @@ void checkHatching(const MaterialSettings& material, bool hasLines)
   {
     if (isGiven && material.tone != Tone::Hatching && !hasLines)
     {
-      throw UserError(std::string(option) + " needs --tone=hatching or --lines=hatch");
+      throw UserError(std::string(option) +
+                      " needs --tone=hatching, --lines=hatch, --style=ink or --style=pencil");
     }
   }
 }
@@ -224,10 +226,9 @@ void checkShownByStyle(const SceneSettings& scene)
 void checkIllustration(const SceneSettings& scene)
 {
   const MaterialSettings& material = scene.material;
-  const std::vector<LineKind>& lines = scene.lines.kinds;
   checkRamp(material);
   checkToneOverData(material);
-  const bool hasHatch = std::find(lines.begin(), lines.end(), LineKind::Hatch) != lines.end();
+  const bool hasHatch = hasHatchLines(scene);
   checkHatching(material, hasHatch);
   checkExaggeration(material);
   if (!isScale(material.tone) && (material.cool || material.warm))

@@ -22,11 +22,16 @@ bool hasPlacedLight(const SceneSettings& scene)
     [](const LightSettings& light) { return light.kind != LightKind::Headlight; });
 }
 
+double pixelsOf(const StrokeWidth& width, double pixelsPerInch)
+{
+  const double unitsPerInch[] = { pixelsPerInch, 72, 25.4 }; // in the order of StrokeUnits
+  return width.value * pixelsPerInch / unitsPerInch[width.unit];
+}
+
 /// In points or millimetres: those in pixels are checked as they are read.
 void checkStrokeWidth(const StrokeWidth& width, double pixelsPerInch)
 {
-  const double unitsPerInch[] = { pixelsPerInch, 72, 25.4 }; // in the order of StrokeUnits
-  const double pixels = width.value * pixelsPerInch / unitsPerInch[width.unit];
+  const double pixels = pixelsOf(width, pixelsPerInch);
   if (width.unit != 0 && pixels > kMaxStrokePixels)
   {
     std::ostringstream text;
@@ -36,7 +41,36 @@ void checkStrokeWidth(const StrokeWidth& width, double pixelsPerInch)
   }
 }
 
+void checkHatchWidth(const SceneSettings& scene)
+{
+  const LineSettings& lines = scene.lines;
+  if (!lines.hatchWidth)
+  {
+    return;
+  }
+  if (!hasHatchLines(scene))
+  {
+    throw UserError("--hatch-width needs --lines=hatch, --style=ink or --style=pencil");
+  }
+  const double stroke =
+    pixelsOf(lines.width.value_or(kUsualStroke), scene.pixelsPerInch.value_or(72));
+  if (stroke * *lines.hatchWidth > kMaxStrokePixels)
+  {
+    std::ostringstream text;
+    text << "--hatch-width=" << *lines.hatchWidth << " of strokes " << stroke
+         << " pixels wide is more than " << kMaxStrokePixels << " pixels";
+    throw UserError(text.str());
+  }
+}
+
 } // namespace
+
+bool hasHatchLines(const SceneSettings& scene)
+{
+  const std::vector<LineKind>& kinds = scene.lines.kinds;
+  return std::find(kinds.begin(), kinds.end(), LineKind::Hatch) != kinds.end() ||
+         scene.style == "ink" || scene.style == "pencil";
+}
 
 void checkLines(const SceneSettings& scene)
 {
@@ -57,10 +91,10 @@ void checkLines(const SceneSettings& scene)
     }
   }
   const bool isOfLight = has(LineKind::Terminator) || has(LineKind::Shadow);
-  if (lines.creaseAngleDegrees && !has(LineKind::Crease) && !has(LineKind::Contour) && !isOfLight &&
-      scene.style.empty())
+  if (lines.creaseAngleDegrees && !has(LineKind::Crease) && !has(LineKind::Contour) &&
+      !has(LineKind::Hatch) && !isOfLight && scene.style.empty())
   {
-    throw UserError("--crease-angle needs --lines=crease, --lines=contour, terminator or shadow");
+    throw UserError("--crease-angle needs --lines=crease, contour, hatch, terminator or shadow");
   }
   if (lines.ridgeThreshold && !has(LineKind::Ridge) && !has(LineKind::Valley))
   {
@@ -87,10 +121,7 @@ void checkLines(const SceneSettings& scene)
   {
     checkStrokeWidth(*lines.width, scene.pixelsPerInch.value_or(72));
   }
-  if (lines.hatchWidth && !has(LineKind::Hatch))
-  {
-    throw UserError("--hatch-width needs --lines=hatch");
-  }
+  checkHatchWidth(scene);
   const auto hasUnit = [](const std::optional<StrokeWidth>& width)
   { return width && width->unit != 0; };
   if (scene.pixelsPerInch && !hasUnit(lines.width) && !hasUnit(scene.material.hatchSpacing) &&

@@ -12,6 +12,9 @@ struct SceneSettings;
 /// too wide.
 void checkLines(const SceneSettings& scene);
 
+/// Whether surfaces are drawn with strokes along their curvature.
+bool hasHatchLines(const SceneSettings& scene);
+
 } // namespace limn::viewer
 
 #endif

@@ -232,6 +232,7 @@ struct StrokeWidth
   double value;
   int unit; ///< of vtkLimnProperty::StrokeUnits
 };
+inline constexpr StrokeWidth kUsualStroke = { 1.5, 0 };
 
 struct MaterialSettings
 {

@@ -221,7 +221,7 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--stroke-width=2" }, "--stroke-width needs lines; add --lines=crease or another kind" },
     { { "--hidden-lines=thin" }, "--hidden-lines needs lines; add --lines=crease or another kind" },
     { { "--lines=border", "--crease-angle=20" },
-      "--crease-angle needs --lines=crease, --lines=contour, terminator or shadow" },
+      "--crease-angle needs --lines=crease, contour, hatch, terminator or shadow" },
     { { "--lines=terminator" }, "--lines=terminator needs a light beside the camera; add "
                                 "--light=directional:1,-1,-1:1,1,1" },
     { { "--lines=shadow", "--light=headlight" },
@@ -243,7 +243,10 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
       "--lines=edges is unknown; choose one of: crease, border, non-manifold, ids, normals, "
       "contour, silhouette, ridge, valley, suggestive, hatch, terminator, shadow, "
       "intersections" },
-    { { "--lines=border", "--hatch-width=0.5" }, "--hatch-width needs --lines=hatch" },
+    { { "--lines=border", "--hatch-width=0.5" },
+      "--hatch-width needs --lines=hatch, --style=ink or --style=pencil" },
+    { { "--lines=hatch", "--hatch-width=200" },
+      "--hatch-width=200 of strokes 1.5 pixels wide is more than 256 pixels" },
     { { "--lines=hatch", "--hatch-width=0" }, "--hatch-width=0 is not from 0.01 to 256" },
     { { "--lines=hatch", "--hatch-ink=1,0,0" }, "--hatch-ink needs --tone=hatching" },
     { { "--lines=crease,crease" }, "--lines=crease,crease names a kind twice; name it once" },
@@ -801,7 +804,8 @@ TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
     std::vector<std::string> options;
     const char* error;
   } cases[] = {
-    { { "--hatch-spacing=4" }, "--hatch-spacing needs --tone=hatching or --lines=hatch" },
+    { { "--hatch-spacing=4" },
+      "--hatch-spacing needs --tone=hatching, --lines=hatch, --style=ink or --style=pencil" },
     { { "--tone=gooch", "--hatch-ink=1,0,0" }, "--hatch-ink needs --tone=hatching" },
     { { "--tone=hatching", "--hatch-darkest=1.5" }, "--hatch-darkest=1.5 is not from 0 to 1" },
     { { "--exaggeration-contrast=4" }, "--exaggeration-contrast needs --tone=exaggerated" },
