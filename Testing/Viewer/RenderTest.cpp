@@ -106,8 +106,8 @@ TEST_F(Render, AStyleShowsWhatItDoesNotRefuse)
   const Words options = { "--color=0.9,0.2,0.1", "--diffuse=0.3,0.3,0.3", "--procedural=checker",
     "--coloring-array=region", "--specular=1,1,1", "--specular-power=90", "--shading=flat",
     "--normals=uniform", "--feature-angle=1", "--light=directional:1,-1,0.5:1,1,1",
-    "--ambient=0.5,0.1,0.1", "--ambient-light=0.5,0.5,0.5", "--hatch-spacing=9",
-    "--hatch-width=2", "--hatch-darkest=0.2" };
+    "--ambient=0.5,0.1,0.1", "--ambient-light=0.5,0.5,0.5", "--hatch-spacing=9", "--hatch-width=2",
+    "--hatch-darkest=0.2" };
   int refused = 0;
   for (const std::string style : { "plain", "technical", "gooch", "toon", "blueprint", "pencil",
          "ink", "anatomy", "metal", "xray", "print" })
