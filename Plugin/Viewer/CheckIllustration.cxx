@@ -53,79 +53,68 @@ void checkToneOverData(const MaterialSettings& material)
   }
 }
 
-void checkHatching(const MaterialSettings& material, bool hasLines)
+/// Throws for the first option that is given.
+void refuseGiven(
+  std::initializer_list<std::pair<const char*, bool>> options, const std::string& needs)
 {
-  const std::pair<const char*, bool> options[] = {
-    { "--hatch-ink", material.hatchInk.has_value() },
-    { "--hatch-paper", material.hatchPaper.has_value() },
-    { "--hatch-on", material.hatchPlace.has_value() },
-  };
   for (const auto& [option, isGiven] : options)
   {
-    if (isGiven && material.tone != Tone::Hatching)
+    if (isGiven)
     {
-      throw UserError(std::string(option) + " needs --tone=hatching");
+      throw UserError(option + (" needs " + needs));
     }
   }
-  const std::pair<const char*, bool> shared[] = {
-    { "--hatch-spacing", material.hatchSpacing.has_value() },
-    { "--hatch-darkest", material.hatchDarkest.has_value() },
-  };
-  for (const auto& [option, isGiven] : shared)
+}
+
+void checkHatching(const MaterialSettings& material, bool hasLines)
+{
+  if (material.tone == Tone::Hatching)
   {
-    if (isGiven && material.tone != Tone::Hatching && !hasLines)
-    {
-      throw UserError(std::string(option) +
-                      " needs --tone=hatching, --lines=hatch, --style=ink or --style=pencil");
-    }
+    return;
+  }
+  refuseGiven({ { "--hatch-ink", material.hatchInk.has_value() },
+                { "--hatch-paper", material.hatchPaper.has_value() },
+                { "--hatch-on", material.hatchPlace.has_value() } },
+    "--tone=hatching");
+  if (!hasLines)
+  {
+    refuseGiven({ { "--hatch-spacing", material.hatchSpacing.has_value() },
+                  { "--hatch-darkest", material.hatchDarkest.has_value() } },
+      "--tone=hatching, --lines=hatch, --style=ink or --style=pencil");
   }
 }
 
 void checkExaggeration(const MaterialSettings& material)
 {
-  const ExaggerationSettings& settings = material.exaggeration;
-  const std::pair<const char*, bool> options[] = {
-    { "--exaggeration-contrast", settings.contrast.has_value() },
-    { "--exaggeration-exponent", settings.exponent.has_value() },
-    { "--exaggeration-base", settings.base.has_value() },
-    { "--exaggeration-levels", settings.levels.has_value() },
-    { "--exaggeration-scale", settings.scale.has_value() },
-  };
-  for (const auto& [option, isGiven] : options)
+  if (material.tone == Tone::Exaggerated)
   {
-    if (isGiven && material.tone != Tone::Exaggerated)
-    {
-      throw UserError(std::string(option) + " needs --tone=exaggerated");
-    }
+    return;
   }
+  const ExaggerationSettings& settings = material.exaggeration;
+  refuseGiven({ { "--exaggeration-contrast", settings.contrast.has_value() },
+                { "--exaggeration-exponent", settings.exponent.has_value() },
+                { "--exaggeration-base", settings.base.has_value() },
+                { "--exaggeration-levels", settings.levels.has_value() },
+                { "--exaggeration-scale", settings.scale.has_value() } },
+    "--tone=exaggerated");
 }
 
 void checkOutline(const MaterialSettings& material)
 {
-  const std::pair<const char*, bool> ofLines[] = {
-    { "--outline-color", material.outlineColor.has_value() },
-    { "--outline-width", material.outlineWidth.has_value() },
-    { "--outline-opacity", material.outlineOpacity.has_value() },
-  };
-  for (const auto& [option, isGiven] : ofLines)
+  if (material.outline == Outline::None)
   {
-    if (isGiven && material.outline == Outline::None)
-    {
-      throw UserError(std::string(option) + " needs --outline=normal, hull or image");
-    }
+    refuseGiven({ { "--outline-color", material.outlineColor.has_value() },
+                  { "--outline-width", material.outlineWidth.has_value() },
+                  { "--outline-opacity", material.outlineOpacity.has_value() } },
+      "--outline=normal, hull or image");
   }
-  const std::pair<const char*, bool> ofImage[] = {
-    { "--outline-detector", material.outlineDetector.has_value() },
-    { "--outline-tolerance", material.outlineTolerance.has_value() },
-    { "--outline-crease-angle", material.outlineCreaseDegrees.has_value() },
-    { "--outline-ids", material.outlineIds },
-  };
-  for (const auto& [option, isGiven] : ofImage)
+  if (material.outline != Outline::Image)
   {
-    if (isGiven && material.outline != Outline::Image)
-    {
-      throw UserError(std::string(option) + " needs --outline=image");
-    }
+    refuseGiven({ { "--outline-detector", material.outlineDetector.has_value() },
+                  { "--outline-tolerance", material.outlineTolerance.has_value() },
+                  { "--outline-crease-angle", material.outlineCreaseDegrees.has_value() },
+                  { "--outline-ids", material.outlineIds } },
+      "--outline=image");
   }
 }
 

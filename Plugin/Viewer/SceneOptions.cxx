@@ -8,6 +8,7 @@
 #include "UserError.h"
 
 #include <algorithm>
+#include <sstream>
 
 namespace limn::viewer
 {
@@ -44,14 +45,21 @@ double parseNotNegative(Text option, Text text)
   return number;
 }
 
+double parseWithin(Text option, Text text, double low, double high, const char* unit = "")
+{
+  const double number = parseNumber(option, text);
+  if (number < low || number > high)
+  {
+    std::ostringstream message;
+    message << option << "=" << text << " is not from " << low << " to " << high << unit;
+    throw UserError(message.str());
+  }
+  return number;
+}
+
 double parseOutlineWidth(Text option, Text text)
 {
-  const double width = parseNumber(option, text);
-  if (width < 0 || width > 64)
-  {
-    throw UserError(option + "=" + text + " is not from 0 to 64 pixels");
-  }
-  return width;
+  return parseWithin(option, text, 0, 64, " pixels");
 }
 
 double parseViewAngle(Text option, Text text)
@@ -66,32 +74,17 @@ double parseViewAngle(Text option, Text text)
 
 double parseSpecularPower(Text option, Text text)
 {
-  const double power = parseNumber(option, text);
-  if (power < 0 || power > 128)
-  {
-    throw UserError(option + "=" + text + " is not from 0 to 128");
-  }
-  return power;
+  return parseWithin(option, text, 0, 128);
 }
 
 double parseShare(Text option, Text text)
 {
-  const double share = parseNumber(option, text);
-  if (share < 0 || share > 1)
-  {
-    throw UserError(option + "=" + text + " is not from 0 to 1");
-  }
-  return share;
+  return parseWithin(option, text, 0, 1);
 }
 
 double parseLightness(Text option, Text text)
 {
-  const double lightness = parseNumber(option, text);
-  if (lightness < 0 || lightness > 100)
-  {
-    throw UserError(option + "=" + text + " is not from 0 to 100");
-  }
-  return lightness;
+  return parseWithin(option, text, 0, 100);
 }
 
 Color parseRefractiveIndex(Text option, Text text)
@@ -185,12 +178,7 @@ void addMaterial(OptionList& options, MaterialSettings& material)
 
 double parseExponent(Text option, Text text)
 {
-  const double exponent = parseNumber(option, text);
-  if (exponent < 0 || exponent > 1000)
-  {
-    throw UserError(option + "=" + text + " is not from 0 to 1000");
-  }
-  return exponent;
+  return parseWithin(option, text, 0, 1000);
 }
 
 std::array<double, 2> parseDistances(Text option, Text text)
@@ -248,23 +236,12 @@ void addHatching(OptionList& options, MaterialSettings& material)
 template <int kLow, int kHigh>
 double parseBetween(Text option, Text text)
 {
-  const double value = parseNumber(option, text);
-  if (value < kLow || value > kHigh)
-  {
-    throw UserError(option + "=" + text + " is not from " + std::to_string(kLow) + " to " +
-                    std::to_string(kHigh));
-  }
-  return value;
+  return parseWithin(option, text, kLow, kHigh);
 }
 
 double parseScale(Text option, Text text)
 {
-  const double scale = parseNumber(option, text);
-  if (scale < 0.0001 || scale > 1)
-  {
-    throw UserError(option + "=" + text + " is not from 0.0001 to 1");
-  }
-  return scale;
+  return parseWithin(option, text, 0.0001, 1);
 }
 
 void addExaggeration(OptionList& options, ExaggerationSettings& settings)
@@ -405,12 +382,7 @@ double parsePixelsPerInch(Text option, Text text)
 
 double parseHatchWidth(Text option, Text text)
 {
-  const double factor = parseNumber(option, text);
-  if (factor < 0.01 || factor > 256)
-  {
-    throw UserError(option + "=" + text + " is not from 0.01 to 256");
-  }
-  return factor;
+  return parseWithin(option, text, 0.01, 256);
 }
 
 void addLines(OptionList& options, SceneSettings& scene)
