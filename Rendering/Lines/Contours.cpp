@@ -53,18 +53,14 @@ struct PendingPoints {
 
 using Fronts = RecentValues<bool>;  ///< by normal
 
-/// Calls find(edge's number) for those of the edges [first, end) about which a viewer may see both
-/// sides. `first` is a multiple of kEdgesPerBound.
+/// Calls find(edge's number) for those of a task's edges about which a viewer may see both sides.
 template <class Find>
 void findTurning(const BoundedFacing& facing, std::size_t first, std::size_t end, const Find& find)
 {
-  for (std::size_t e = first; e < end;) {
-    const std::size_t next = std::min(end, e + kEdgesPerBound);
-    if (facing.side(e / kEdgesPerBound) == BoundedFacing::Side::kBoth)
-      for (; e < next; ++e)
-        find(e);
-    e = next;
-  }
+  static_assert(kPerTask % kEdgesPerBound == 0, "tasks begin where boxes do");
+  forEachBoundedEdge(
+      first, end, [&](std::size_t box) { return facing.side(box) != BoundedFacing::Side::kBoth; },
+      find);
 }
 
 class ContourFinder {

@@ -154,16 +154,8 @@ FacingBounds boundNormals(const MeshView& mesh, const EdgeTable& table, const Fe
 ModelEye::ModelEye(const Camera& camera, const Mat4d& modelToWorld) : isParallel(camera.parallel)
 {
   const Mat4d toView = camera.worldToView * modelToWorld;
-  const Mat4d cofactor = cofactor3(toView);
-  const double scale = 1.0 / determinant3(toView);
-  const Vec3d inView =
-      isParallel ? Vec3d{0, 0, 1} : Vec3d{-toView.m[0][3], -toView.m[1][3], -toView.m[2][3]};
-  const auto column = [&](int c) {
-    return ((cofactor.m[0][c] * inView.x + cofactor.m[1][c] * inView.y) +
-            cofactor.m[2][c] * inView.z) *
-           scale;
-  };
-  place = {column(0), column(1), column(2)};
+  place = ModelDirections(toView)(
+      isParallel ? Vec3d{0, 0, 1} : Vec3d{-toView.m[0][3], -toView.m[1][3], -toView.m[2][3]});
 }
 
 BoundedFacing::BoundedFacing(const FacingBounds& bounds, const Camera& camera,

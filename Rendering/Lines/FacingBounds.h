@@ -5,6 +5,7 @@
 #include "Rendering/Mesh/EdgeTable.h"
 #include "Rendering/Scene.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -36,6 +37,42 @@ FacingBounds boundFaces(const MeshView& mesh, const EdgeTable& table, int thread
 /// Planes through the ends of edges, by the vertex normals that the faces there have.
 FacingBounds boundNormals(const MeshView& mesh, const EdgeTable& table, const FeatureArrays& arrays,
                           int threads);
+
+/// Calls visit(edge's number) for those of the edges [first, end) whose bounds are not left out:
+/// isLeftOut(number of a box). `first` is a multiple of kEdgesPerBound.
+template <class LeaveOut, class Visit>
+void forEachBoundedEdge(std::size_t first, std::size_t end, const LeaveOut& isLeftOut,
+                        const Visit& visit)
+{
+  for (std::size_t e = first; e < end;) {
+    const std::size_t next = std::min(end, e + kEdgesPerBound);
+    if (!isLeftOut(e / kEdgesPerBound))
+      for (; e < next; ++e)
+        visit(e);
+    e = next;
+  }
+}
+
+/// Takes directions of any length from view space to a model's own, not only where it is rigid.
+class ModelDirections {
+ public:
+  explicit ModelDirections(const Mat4d& toView)
+      : cofactor_(cofactor3(toView)), perDeterminant_(1.0 / determinant3(toView))
+  {
+  }
+  Vec3d operator()(Vec3d inView) const
+  {
+    const auto column = [&](int c) {
+      return (cofactor_.m[0][c] * inView.x + cofactor_.m[1][c] * inView.y) +
+             cofactor_.m[2][c] * inView.z;
+    };
+    return Vec3d{column(0), column(1), column(2)} * perDeterminant_;
+  }
+
+ private:
+  Mat4d cofactor_;
+  double perDeterminant_;
+};
 
 /// Where a camera looks from, in a model's own space.
 struct ModelEye {

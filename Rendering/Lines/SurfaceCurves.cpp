@@ -112,8 +112,7 @@ class RadialField {
   RadialField(const CurvedSurface& surface, const Camera& camera, const Mat4d& modelToWorld)
       : surface_(surface),
         toView_(camera.worldToView * modelToWorld),
-        cofactor_(cofactor3(toView_)),
-        perDeterminant_(1.0 / determinant3(toView_)),
+        toModel_(toView_),
         isParallel_(camera.parallel)
   {
   }
@@ -132,17 +131,13 @@ class RadialField {
   /// In the model's own space, where curvature is known.
   Vec3d toEye(std::uint32_t vertex) const
   {
-    const Vec3d d =
-        isParallel_ ? Vec3d{0, 0, 1} : -transformPoint(toView_, surface_.mesh.position(vertex));
-    const auto column = [&](int c) {
-      return (cofactor_.m[0][c] * d.x + cofactor_.m[1][c] * d.y) + cofactor_.m[2][c] * d.z;
-    };
-    return Vec3d{column(0), column(1), column(2)} * perDeterminant_;
+    return toModel_(isParallel_ ? Vec3d{0, 0, 1}
+                                : -transformPoint(toView_, surface_.mesh.position(vertex)));
   }
 
   const CurvedSurface& surface_;
-  Mat4d toView_, cofactor_;
-  double perDeterminant_;
+  Mat4d toView_;
+  ModelDirections toModel_;
   bool isParallel_;
 };
 
@@ -210,18 +205,17 @@ ContourLines suggestiveContours(const CurvedSurface& surface, const EdgeTable& t
         const auto at = [&](std::uint32_t v) {
           return recent.at(v, [&](std::uint32_t vertex) { return field.at(vertex); });
         };
-        for (std::size_t e = first; e < end; ++e) {
-          if (e % kEdgesPerBound == 0 && bounded.hasNone(e / kEdgesPerBound)) {
-            e += kEdgesPerBound - 1;
-            continue;
-          }
-          const MeshEdge& edge = table.edges[e];
-          const RadialCurvature a = at(edge.vertex[0]);
-          if (!(a.facing > 0)) continue;
-          const RadialCurvature b = at(edge.vertex[1]);
-          double t;
-          if (b.facing > 0 && crossing(a, b, t)) found(edge, t);
-        }
+        static_assert(kPerTask % kEdgesPerBound == 0, "tasks begin where boxes do");
+        forEachBoundedEdge(
+            first, end, [&](std::size_t box) { return bounded.hasNone(box); },
+            [&](std::size_t e) {
+              const MeshEdge& edge = table.edges[e];
+              const RadialCurvature a = at(edge.vertex[0]);
+              if (!(a.facing > 0)) return;
+              const RadialCurvature b = at(edge.vertex[1]);
+              double t;
+              if (b.facing > 0 && crossing(a, b, t)) found(edge, t);
+            });
       });
 }
 
