@@ -131,6 +131,22 @@ Polyhedron plane(std::uint32_t count)
   return mesh;
 }
 
+Polyhedron grid(std::uint32_t across, std::uint32_t along,
+                const std::function<Vec3f(double, double)>& at)
+{
+  Polyhedron mesh;
+  for (std::uint32_t j = 0; j <= along; ++j)
+    for (std::uint32_t i = 0; i <= across; ++i)
+      mesh.positions.push_back(at(1.0 * i / across, 1.0 * j / along));
+  for (std::uint32_t j = 0; j < along; ++j)
+    for (std::uint32_t i = 0; i < across; ++i) {
+      const std::uint32_t p = j * (across + 1) + i;
+      mesh.triangles.push_back({{p, p + 1, p + across + 2}});
+      mesh.triangles.push_back({{p, p + across + 2, p + across + 1}});
+    }
+  return mesh;
+}
+
 Polyhedron torus(double R, double r, std::uint32_t around, std::uint32_t across)
 {
   Polyhedron mesh;

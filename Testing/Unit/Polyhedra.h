@@ -5,6 +5,7 @@
 #include "Rendering/Mesh/MeshView.h"
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 /// Meshes whose edges are known.
@@ -30,6 +31,9 @@ Polyhedron dodecahedron();
 Polyhedron icosahedron();
 /// cells x cells squares of [-1, 1]^2 at z = 0, towards +z.
 Polyhedron plane(std::uint32_t cells);
+/// at(s, t) for s and t from 0 to 1, across x along squares, towards d/ds x d/dt.
+Polyhedron grid(std::uint32_t across, std::uint32_t along,
+                const std::function<Vec3f(double s, double t)>& at);
 /// R and r about the z axis.
 Polyhedron torus(double R, double r, std::uint32_t around, std::uint32_t across);
 

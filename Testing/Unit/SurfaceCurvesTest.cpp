@@ -70,20 +70,10 @@ constexpr double kHeight = 0.3;
 /// z = kHeight sin(kWave x) over [-1.6, 1.6] x [-1, 1].
 Polyhedron extrudedSine()
 {
-  constexpr std::uint32_t kAcross = 160, kAlong = 24;
-  Polyhedron mesh;
-  for (std::uint32_t j = 0; j <= kAlong; ++j)
-    for (std::uint32_t i = 0; i <= kAcross; ++i) {
-      const double x = 3.2 * i / kAcross - 1.6 + 0.003, y = 2.0 * j / kAlong - 1;
-      mesh.positions.push_back(vec3Cast<float>(Vec3d{x, y, kHeight * std::sin(kWave * x)}));
-    }
-  for (std::uint32_t j = 0; j < kAlong; ++j)
-    for (std::uint32_t i = 0; i < kAcross; ++i) {
-      const std::uint32_t p = j * (kAcross + 1) + i;
-      mesh.triangles.push_back({{p, p + 1, p + kAcross + 2}});
-      mesh.triangles.push_back({{p, p + kAcross + 2, p + kAcross + 1}});
-    }
-  return mesh;
+  return testing::grid(160, 24, [](double s, double t) {
+    const double x = 3.2 * s - 1.6 + 0.003, y = 2 * t - 1;
+    return vec3Cast<float>(Vec3d{x, y, kHeight * std::sin(kWave * x)});
+  });
 }
 std::vector<Vec3f> normalsOfSine(const Polyhedron& mesh)
 {
