@@ -244,6 +244,55 @@ void checkCurves()
   CHECK_EQUAL(stage.Coverage(), 0);
 }
 
+// What is kept of a mesh to find its lines sooner is made anew when its points move.
+void checkMovedPoints()
+{
+  using Switch = void (vtkLimnProperty::*)();
+  for (const Switch turnOn : { static_cast<Switch>(&vtkLimnProperty::SilhouetteLinesOn),
+         static_cast<Switch>(&vtkLimnProperty::ContourLinesOn),
+         static_cast<Switch>(&vtkLimnProperty::SuggestiveLinesOn) })
+  {
+    vtkNew<vtkSuperquadricSource> torus;
+    torus->ToroidalOn();
+    torus->SetSize(28);
+    torus->SetAxisOfSymmetry(2);
+    torus->SetThetaResolution(64);
+    torus->SetPhiResolution(64);
+    torus->Update();
+    vtkPolyData* const data = torus->GetOutput();
+    data->GetPointData()->SetNormals(nullptr);
+    const auto show = [&](LineStage& stage, vtkPolyData* shown)
+    {
+      stage.Mapper->SetInputData(shown);
+      vtkCamera* const camera = stage.Renderer->GetActiveCamera();
+      camera->SetFocalPoint(0, 0, 0);
+      camera->SetPosition(0, -100, 60);
+      camera->SetClippingRange(10, 300);
+      (stage.Property->*turnOn)();
+    };
+    LineStage kept;
+    show(kept, data);
+    const double before = kept.Coverage();
+    vtkPoints* const points = data->GetPoints();
+    for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+    {
+      double p[3];
+      points->GetPoint(i, p);
+      points->SetPoint(i, p[0] + 0.4 * p[1], 0.9 * p[1], 1.3 * p[2]);
+    }
+    points->Modified();
+    data->Modified();
+    LineStage fresh;
+    vtkNew<vtkPolyData> copy;
+    copy->DeepCopy(data);
+    show(fresh, copy);
+    const double after = kept.Coverage();
+    CHECK(after > 20);
+    CHECK(after != before);
+    CHECK_EQUAL(after, fresh.Coverage());
+  }
+}
+
 /// Light that travels from a point towards another.
 vtkSmartPointer<vtkLight> lightAlong(double x, double y, double z)
 {
@@ -617,6 +666,7 @@ int TestLimnLines(int, char*[])
   checkCaching();
   checkContour();
   checkCurves();
+  checkMovedPoints();
   checkTerminator();
   checkShadow();
   checkIntersections();
