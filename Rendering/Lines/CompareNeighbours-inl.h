@@ -27,11 +27,6 @@ HWY_INLINE Lanes3 load(const LayerVectors& from, std::size_t index)
   return {hn::LoadU(D(), from.x.data() + index), hn::LoadU(D(), from.y.data() + index),
           hn::LoadU(D(), from.z.data() + index)};
 }
-HWY_INLINE Lanes3 placesAt(const PlacedRow& row, std::size_t i)
-{
-  return {hn::LoadU(D(), row.x.data() + i), hn::LoadU(D(), row.y.data() + i),
-          hn::LoadU(D(), row.z.data() + i)};
-}
 /// Nobody, or what memory holds behind the pixels.
 HWY_INLINE M isNobody(VI instance, const NeighbourBounds& bounds)
 {
@@ -44,32 +39,38 @@ HWY_INLINE M areSame(VI a, VI b)
   return hn::RebindMask(D(), hn::Eq(a, b));
 }
 
-/// ScreenToView::at() of a row's pixels, and what is too little for a step there.
-void placeRowKernel(const RowJob& job, PlacedRow& row)
-{
-  const Mat4f& m = job.layers.toView->matrix();
-  std::int32_t offsetX[kMaxSamples] = {}, offsetY[kMaxSamples] = {};
-  for (std::size_t s = 0; s < job.layers.offsets.size(); ++s) {
-    offsetX[s] = job.layers.offsets[s].x;
-    offsetY[s] = job.layers.offsets[s].y;
+/// One vector of pixels beside each other.
+struct LayerLanes {
+  VI instance;
+  Lanes3 place, plane, normal;
+  V tolerance;  ///< stepTolerance()
+
+  LayerLanes(const RowJob& job, std::size_t index, int x, int y)
+      : instance(instancesAt(job.layers, index)),
+        place{hn::Zero(D()), hn::Zero(D()), hn::Zero(D())},
+        plane(load(job.layers.plane, index)),
+        normal(load(job.layers.normal, index)),
+        tolerance(hn::Zero(D()))
+  {
+    putInView(job, index, x, y);
   }
-  const V perSubpixel = set(1.0f / kSubpixels);
-  for (std::size_t i = 0; i < job.count; i += hn::Lanes(D())) {
-    const std::size_t index = job.first + i;
-    const VI instance = instancesAt(job.layers, index);
-    const M nobody = isNobody(instance, job.bounds);
-    if (hn::AllTrue(D(), nobody)) continue;
+
+ private:
+  /// As ScreenToView::at().
+  void putInView(const RowJob& job, std::size_t index, int column, int row)
+  {
+    const Mat4f& m = job.layers.toView->matrix();
     VI x = hn::Set(DI(), kPixelCentre.x), y = hn::Set(DI(), kPixelCentre.y);
     if (job.samples > 1) {
       const VI sample =
           hn::And(hn::PromoteTo(DI(), hn::LoadU(DBytes(), job.layers.sample.data() + index)),
                   hn::Set(DI(), kMaxSamples - 1));
-      x = hn::GatherIndex(DI(), offsetX, sample);
-      y = hn::GatherIndex(DI(), offsetY, sample);
+      x = hn::GatherIndex(DI(), job.test.offsetX, sample);
+      y = hn::GatherIndex(DI(), job.test.offsetY, sample);
     }
-    const VI column = hn::Iota(DI(), job.x0 + static_cast<std::int32_t>(i));
-    x = hn::Add(hn::ShiftLeft<kSubpixelBits>(column), x);
-    y = hn::Add(hn::Set(DI(), job.y * kSubpixels), y);
+    x = hn::Add(hn::ShiftLeft<kSubpixelBits>(hn::Iota(DI(), column)), x);
+    y = hn::Add(hn::Set(DI(), row * kSubpixels), y);
+    const V perSubpixel = set(1.0f / kSubpixels);
     const V px = hn::Mul(hn::ConvertTo(D(), x), perSubpixel);
     const V py = hn::Mul(hn::ConvertTo(D(), y), perSubpixel);
     const V depth = hn::LoadU(D(), job.layers.depth.data() + index);
@@ -78,32 +79,14 @@ void placeRowKernel(const RowJob& job, PlacedRow& row)
                      hn::Add(hn::Mul(set(m.m[r][2]), depth), set(m.m[r][3])));
     };
     const V inverseW = hn::Div(set(1.0f), rowOf(3));
-    const V z = hn::Mul(rowOf(2), inverseW);
-    hn::StoreU(hn::Mul(rowOf(0), inverseW), D(), row.x.data() + i);
-    hn::StoreU(hn::Mul(rowOf(1), inverseW), D(), row.y.data() + i);
-    hn::StoreU(z, D(), row.z.data() + i);
-    const V perDepth = hn::Mul(hn::Sub(set(m.m[2][2]), hn::Mul(z, set(m.m[3][2]))), inverseW);
+    place = {hn::Mul(rowOf(0), inverseW), hn::Mul(rowOf(1), inverseW), hn::Mul(rowOf(2), inverseW)};
+    const V perDepth = hn::Mul(hn::Sub(set(m.m[2][2]), hn::Mul(place.z, set(m.m[3][2]))), inverseW);
     const V rounding = hn::Mul(absolute(perDepth), set(ScreenToView::kDepthRounding));
     const V pixel = absolute(hn::Mul(set(m.m[1][1]), inverseW));
-    const VI safe = hn::IfThenZeroElse(hn::RebindMask(DI(), nobody), instance);
-    const V tolerance = hn::GatherIndex(D(), job.bounds.tolerance.data(), safe);
-    hn::StoreU(hn::Add(hn::Mul(tolerance, pixel), rounding), D(), row.tolerance.data() + i);
-  }
-}
-
-/// One vector of pixels beside each other.
-struct LayerLanes {
-  VI instance;
-  Lanes3 place, plane, normal;
-  V tolerance;
-
-  LayerLanes(const SurfaceLayers& layers, std::size_t index, const PlacedRow& row, std::size_t i)
-      : instance(instancesAt(layers, index)),
-        place(placesAt(row, i)),
-        plane(load(layers.plane, index)),
-        normal(load(layers.normal, index)),
-        tolerance(hn::LoadU(D(), row.tolerance.data() + i))
-  {
+    const VI safe =
+        hn::IfThenZeroElse(hn::RebindMask(DI(), isNobody(instance, job.bounds)), instance);
+    const V perPixel = hn::GatherIndex(D(), job.bounds.tolerance.data(), safe);
+    tolerance = hn::Add(hn::Mul(perPixel, pixel), rounding);
   }
 };
 
@@ -134,8 +117,61 @@ HWY_INLINE VI pairBits(const LayerLanes& here, const LayerLanes& next, V crease,
                 bitIf(hn::And(same, bent), creased));
 }
 
-void comparePairsKernel(const RowJob& job, const PlacedRow& here, const PlacedRow& above,
-                        std::uint8_t* pairs, std::uint8_t* asks)
+/// Depths of pixels and the size of ScreenToView's w there.
+struct DepthLanes {
+  V depth, w;
+
+  DepthLanes(const SurfaceLayers& layers, std::size_t index)
+      : depth(hn::LoadU(D(), layers.depth.data() + index)), w(hn::Zero(D()))
+  {
+    const Mat4f& m = layers.toView->matrix();
+    w = absolute(hn::Add(hn::Mul(set(m.m[3][2]), depth), set(m.m[3][3])));
+  }
+};
+
+HWY_INLINE M areGentle(const PairTest& test, const DepthLanes& p, const DepthLanes& q)
+{
+  const V w = hn::IfThenElse(hn::Lt(p.w, q.w), p.w, q.w);
+  return hn::Le(hn::Mul(absolute(hn::Sub(p.depth, q.depth)), set(test.perDepth)),
+                hn::Mul(w, set(test.gentle)));
+}
+
+/// In the midst of a surface: kMayCreaseRight and kMayCreaseAbove, by the smallest bound.
+HWY_INLINE VI creaseBits(const RowJob& job, std::size_t index, std::size_t over)
+{
+  const Lanes3 own = load(job.layers.normal, index);
+  const auto isBent = [&](std::size_t other) HWY_ATTR {
+    return hn::Gt(hn::Sub(set(1.0f), dot(own, load(job.layers.normal, other))),
+                  set(job.test.sharpest));
+  };
+  return hn::Or(bitIf(isBent(index + 1), kMayCreaseRight), bitIf(isBent(over), kMayCreaseAbove));
+}
+
+/// Anywhere. `x` is the first pixel's column.
+HWY_INLINE VI anyBits(const RowJob& job, std::size_t index, int x, VI instance)
+{
+  const bool isTop = job.y + 1 >= job.layers.height;
+  const std::size_t over = isTop ? index : index + static_cast<std::size_t>(job.layers.width);
+  const LayerLanes own(job, index, x, job.y);
+  const VI safe =
+      hn::IfThenZeroElse(hn::RebindMask(DI(), isNobody(instance, job.bounds)), instance);
+  const V crease = hn::GatherIndex(D(), job.bounds.crease.data(), safe);
+  return hn::Or(
+      pairBits(own, LayerLanes(job, index + 1, x + 1, job.y), crease, kStepRight, kMayCreaseRight),
+      pairBits(own, LayerLanes(job, over, x, isTop ? job.y : job.y + 1), crease, kStepAbove,
+               kMayCreaseAbove));
+}
+
+/// What the instances ask, by pixels; 0 of nobody's.
+HWY_INLINE VI askedBits(const RowJob& job, VI instance, M nobody)
+{
+  const VI safe = hn::IfThenZeroElse(hn::RebindMask(DI(), nobody), instance);
+  const VI asked = job.test.asksAlike ? hn::Set(DI(), job.bounds.asks[0])
+                                      : hn::GatherIndex(DI(), job.bounds.asks.data(), safe);
+  return hn::IfThenZeroElse(hn::RebindMask(DI(), nobody), asked);
+}
+
+void comparePairsKernel(const RowJob& job, std::uint8_t* pairs, std::uint8_t* asks)
 {
   const auto width = static_cast<std::size_t>(job.layers.width);
   const bool isTop = job.y + 1 >= job.layers.height;
@@ -144,26 +180,26 @@ void comparePairsKernel(const RowJob& job, const PlacedRow& here, const PlacedRo
     const std::size_t index = job.first + i, over = isTop ? index : index + width;
     const VI instance = instancesAt(job.layers, index);
     const M nobody = isNobody(instance, job.bounds);
+    const M sameRight = areSame(instance, instancesAt(job.layers, index + 1));
+    const M sameAbove = areSame(instance, instancesAt(job.layers, over));
     VI bits, asked = hn::Zero(DI());
     if (hn::AllTrue(D(), nobody)) {
-      bits =
-          hn::Or(bitIf(hn::Not(areSame(instance, instancesAt(job.layers, index + 1))), kStepRight),
-                 bitIf(hn::Not(areSame(instance, instancesAt(job.layers, over))), kStepAbove));
+      bits = hn::Or(bitIf(hn::Not(sameRight), kStepRight), bitIf(hn::Not(sameAbove), kStepAbove));
     } else {
-      const LayerLanes own(job.layers, index, here, i);
-      const VI safe = hn::IfThenZeroElse(hn::RebindMask(DI(), nobody), instance);
-      asked = hn::IfThenZeroElse(hn::RebindMask(DI(), nobody),
-                                 hn::GatherIndex(DI(), job.bounds.asks.data(), safe));
-      const V crease = hn::GatherIndex(D(), job.bounds.crease.data(), safe);
-      const VI count = hn::PromoteTo(DI(), hn::LoadU(DBytes(), job.layers.count.data() + index));
-      const M looked =
-          hn::RebindMask(D(), hn::Or(hn::Lt(count, hn::Set(DI(), job.samples)),
-                                     hn::Gt(asked, hn::Set(DI(), NeighbourBounds::kAlways - 1))));
-      bits = hn::Or(bitIf(looked, kStepRight),
-                    hn::Or(pairBits(own, LayerLanes(job.layers, index + 1, here, i + 1), crease,
-                                    kStepRight, kMayCreaseRight),
-                           pairBits(own, LayerLanes(job.layers, over, isTop ? here : above, i),
-                                    crease, kStepAbove, kMayCreaseAbove)));
+      asked = askedBits(job, instance, nobody);
+      M looked = hn::RebindMask(D(), hn::Gt(asked, hn::Set(DI(), NeighbourBounds::kAlways - 1)));
+      if (job.samples > 1) {
+        const VI count = hn::PromoteTo(DI(), hn::LoadU(DBytes(), job.layers.count.data() + index));
+        looked = hn::Or(looked, hn::RebindMask(D(), hn::Lt(count, hn::Set(DI(), job.samples))));
+      }
+      const DepthLanes own(job.layers, index);
+      const M gentle = hn::And(areGentle(job.test, own, DepthLanes(job.layers, index + 1)),
+                               areGentle(job.test, own, DepthLanes(job.layers, over)));
+      const M isPlain = hn::And(hn::And(sameRight, sameAbove), hn::AndNot(nobody, gentle));
+      bits = hn::AllTrue(D(), isPlain)
+                 ? creaseBits(job, index, over)
+                 : anyBits(job, index, job.x0 + static_cast<int>(i), instance);
+      bits = hn::Or(bits, bitIf(looked, kStepRight));
     }
     hn::StoreU(hn::DemoteTo(DBytes(), hn::Or(bits, onTop)), DBytes(), pairs + i);
     hn::StoreU(hn::DemoteTo(DBytes(), asked), DBytes(), asks + i);

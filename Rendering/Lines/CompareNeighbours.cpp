@@ -3,6 +3,8 @@
 #include "Rendering/Lines/CompareNeighbours.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "Rendering/Lines/CompareNeighbours.cpp"
@@ -13,9 +15,52 @@
 #if HWY_ONCE
 namespace limn {
 
-HWY_EXPORT(placeRowKernel);
 HWY_EXPORT(comparePairsKernel);
 HWY_EXPORT(compareIdsKernel);
+
+PairTest::PairTest(const SurfaceLayers& layers, const NeighbourBounds& bounds, int samples)
+    : sharpest(*std::min_element(bounds.crease.begin(), bounds.crease.end())),
+      asksAlike(std::adjacent_find(bounds.asks.begin(), bounds.asks.end(), std::not_equal_to<>()) ==
+                bounds.asks.end())
+{
+  for (std::size_t s = 0; s < layers.offsets.size(); ++s) {
+    offsetX[s] = layers.offsets[s].x;
+    offsetY[s] = layers.offsets[s].y;
+  }
+  findGentle(layers, *std::min_element(bounds.tolerance.begin(), bounds.tolerance.end()), samples);
+}
+
+/// A unit vector's product with the way from one pixel to the other is at most that way's length.
+void PairTest::findGentle(const SurfaceLayers& layers, float tolerance, int samples)
+{
+  // Of a place P = N / w, both of them linear in the pixel and its depth d, the way to the next
+  // pixel is (c + (e - P m) (d' - d)) / w', with c, e the columns of N for the pixel and the depth
+  // and m what w grows by with depth: its length is at most (|c| + |e w - N m| |d' - d| / w) / w'.
+  const Mat4f& m = layers.toView->matrix();
+  if (m.m[3][0] != 0.0f || m.m[3][1] != 0.0f) return;
+  const auto lengthOf = [](Vec3f v) { return std::sqrt(dot(v, v)); };
+  const auto columnOf = [&](int c) { return Vec3f{m.m[0][c], m.m[1][c], m.m[2][c]}; };
+  float skew = 0;
+  for (unsigned corner = 0; corner < 8; ++corner) {
+    const float x = (corner & 1) != 0 ? static_cast<float>(layers.width) : 0.0f;
+    const float y = (corner & 2) != 0 ? static_cast<float>(layers.height) : 0.0f;
+    const float depth = (corner & 4) != 0 ? 1.0f : 0.0f;
+    const Vec3f n = columnOf(0) * x + columnOf(1) * y + columnOf(2) * depth + columnOf(3);
+    const Vec3f grows = columnOf(2) * (m.m[3][2] * depth + m.m[3][3]) - n * m.m[3][2];
+    perDepth = std::max(perDepth, lengthOf(grows));
+    skew = std::max(skew, lengthOf(grows) / std::fabs(grows.z));
+  }
+  // Nearest samples of two pixels may lie at their far sides.
+  const float width = lengthOf(columnOf(0)), height = lengthOf(columnOf(1));
+  const float aside = samples == 1 ? std::max(width, height)
+                                   : std::max(2.0f * width + height, width + 2.0f * height);
+  // Of the tolerance in pixels' heights; a twentieth of it is for rounding and for w that is not
+  // the same at both pixels. What float leaves of w's last bits is in ViewPoint::rounding, unless
+  // pixels lie far aside.
+  const float rest = 0.95f * tolerance * std::fabs(m.m[1][1]) - aside;
+  constexpr float kMostSkew = 2, kMostGrowth = 0.02f;
+  if (skew <= kMostSkew && std::fabs(m.m[3][2]) * rest <= kMostGrowth * perDepth) gentle = rest;
+}
 
 NeighbourRows::NeighbourRows(const SurfaceLayers& layers, const NeighbourBounds& bounds,
                              int samples, const PixelRectangle& touched)
@@ -23,33 +68,21 @@ NeighbourRows::NeighbourRows(const SurfaceLayers& layers, const NeighbourBounds&
       bounds_(bounds),
       samples_(samples),
       touched_(touched),
-      count_(static_cast<std::size_t>(touched.x1 - touched.x0))
+      count_(static_cast<std::size_t>(touched.x1 - touched.x0)),
+      test_(layers, bounds, samples)
 {
   // One before the first pixel, and a vector behind the last.
   const std::size_t room = count_ + 1 + SurfaceLayers::kSpare;
-  for (PlacedRow& row : rows_)
-    row.resize(room);
   for (std::vector<std::uint8_t>* bytes : {&pairs_, &below_, &asks_, &marks_})
     bytes->assign(room, 0);
-}
-
-void NeighbourRows::placeRow(int y)
-{
-  HWY_DYNAMIC_DISPATCH(placeRowKernel)
-  ({layers_, bounds_, samples_, touched_.x0, y, layers_.indexOf(touched_.x0, y), count_},
-   rows_[y & 1]);
-  placed_ = y;
 }
 
 /// Between a row's pixels, and from it to the row above.
 void NeighbourRows::comparePairs(int y)
 {
-  if (placed_ != y) placeRow(y);
-  if (y + 1 < layers_.height) placeRow(y + 1);
-  const RowJob job = {layers_, bounds_, samples_, touched_.x0, y, layers_.indexOf(touched_.x0, y),
-                      count_};
-  HWY_DYNAMIC_DISPATCH(comparePairsKernel)
-  (job, rows_[y & 1], rows_[(y + 1) & 1], pairs_.data() + 1, asks_.data());
+  const RowJob job = {
+      layers_, bounds_, test_, samples_, touched_.x0, y, layers_.indexOf(touched_.x0, y), count_};
+  HWY_DYNAMIC_DISPATCH(comparePairsKernel)(job, pairs_.data() + 1, asks_.data());
   if (layers_.hasIds) HWY_DYNAMIC_DISPATCH(compareIdsKernel)(job, pairs_.data() + 1);
   // Next to the frame's border, and to what was not touched.
   pairs_[0] = kStepRight;

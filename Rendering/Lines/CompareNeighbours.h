@@ -26,23 +26,26 @@ struct NeighbourBounds {
   std::vector<float> crease;       ///< of 1 - n.n'
 };
 
-/// A row of pixels in view space, as SurfaceLayers::at() has them. Vectors may read and write
-/// behind the last.
-struct PlacedRow {
-  std::vector<float> x, y, z;
-  std::vector<float> tolerance;  ///< stepTolerance()
+/// What NeighbourRows knows of a frame before it looks at pixels.
+struct PairTest {
+  PairTest(const SurfaceLayers& layers, const NeighbourBounds& bounds, int samples);
 
-  void resize(std::size_t size)
-  {
-    for (std::vector<float>* values : {&x, &y, &z, &tolerance})
-      values->resize(size);
-  }
+  /// With w from ScreenToView: pixels next to each other of one instance are no step if the
+  /// difference of their depths times perDepth is at most gentle |w|, for either w.
+  float perDepth = 0, gentle = -1;
+  float sharpest;  ///< smallest of NeighbourBounds::crease
+  bool asksAlike;  ///< all of NeighbourBounds::asks are the same
+  std::int32_t offsetX[kMaxSamples] = {}, offsetY[kMaxSamples] = {};  ///< SurfaceLayers::offsets
+
+ private:
+  void findGentle(const SurfaceLayers& layers, float tolerance, int samples);
 };
 
 /// For the kernels: some pixels of a row.
 struct RowJob {
   const SurfaceLayers& layers;
   const NeighbourBounds& bounds;
+  const PairTest& test;
   int samples;
   int x0, y;
   std::size_t first;  ///< index of the first pixel
@@ -64,7 +67,6 @@ class NeighbourRows {
   const std::uint8_t* marksOf(int y);
 
  private:
-  void placeRow(int y);
   void comparePairs(int y);
 
   const SurfaceLayers& layers_;
@@ -72,8 +74,8 @@ class NeighbourRows {
   int samples_;
   PixelRectangle touched_;
   std::size_t count_;
-  int placed_ = -1, compared_ = -1;  ///< last rows
-  PlacedRow rows_[2];                ///< by the last bit of y
+  PairTest test_;
+  int compared_ = -1;  ///< last row
   std::vector<std::uint8_t> pairs_, below_, asks_, marks_;
 };
 

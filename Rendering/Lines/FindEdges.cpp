@@ -50,16 +50,23 @@ EdgeFinder::Pixel EdgeFinder::pixelAt(int x, int y) const
   pixel.y = y;
   pixel.index = layers_.indexOf(x, y);
   pixel.instance = layers_.instance[pixel.index];
-  if (pixel.instance != kNobody) pixel.layer = layers_.at(x, y);
+  if (pixel.instance != kNobody) pixel.layer = layers_.patchAt(x, y);
   return pixel;
+}
+
+float EdgeFinder::shareShown(const Pixel& pixel) const
+{
+  return static_cast<float>(layers_.countAt(pixel.index)) / samples_;
 }
 
 float EdgeFinder::tolerance(const Pixel& first, const Pixel& second) const
 {
-  const auto of = [&](const Pixel& pixel) {
-    return stepTolerance(pass_.scene.instances[pixel.instance].style, pixel.layer.point);
-  };
-  return larger(of(first), of(second));
+  return larger(toleranceOf(first), toleranceOf(second));
+}
+
+float EdgeFinder::toleranceOf(const Pixel& pixel) const
+{
+  return stepTolerance(pass_.scene.instances[pixel.instance].style, pixel.layer.point);
 }
 
 /// Distance along the gaze of a neighbour; the pixel's own where another instance is.
@@ -68,7 +75,7 @@ float EdgeFinder::distanceBeside(const Pixel& pixel, int dx, int dy) const
   const int x = pixel.x + dx, y = pixel.y + dy;
   const bool isInside = x >= 0 && y >= 0 && x < layers_.width && y < layers_.height;
   const bool isSame = isInside && layers_.instance[layers_.indexOf(x, y)] == pixel.instance;
-  return -(isSame ? layers_.at(x, y) : pixel.layer).point.position.z;
+  return -(isSame ? layers_.pointAt(x, y) : pixel.layer.point).position.z;
 }
 
 Vec2f EdgeFinder::sobel(const Pixel& pixel) const
@@ -120,7 +127,7 @@ bool EdgeFinder::isGroove(const Pixel& first, const Pixel& second,
     if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height) return false;
     const std::size_t behind = layers_.indexOf(x, y);
     return layers_.instance[behind] == pixel.instance &&
-           1.0f - dot(layers_.normal[behind], pixel.layer.normal) <= ImageOutline::kFlat;
+           1.0f - dot(layers_.normal[behind], layers_.normal[pixel.index]) <= ImageOutline::kFlat;
   };
   if (!(distances.ofFirst > 0.0f && distances.ofSecond > 0.0f)) return false;
   const Vec3f eye = towardEye(first.layer, second.layer);
@@ -129,7 +136,7 @@ bool EdgeFinder::isGroove(const Pixel& first, const Pixel& second,
 }
 
 /// From between them, of some length.
-Vec3f EdgeFinder::towardEye(const SurfaceLayer& first, const SurfaceLayer& second) const
+Vec3f EdgeFinder::towardEye(const SurfacePatch& first, const SurfacePatch& second) const
 {
   return pass_.scene.camera.parallel ? Vec3f{0, 0, 1}
                                      : -(first.point.position + second.point.position);
@@ -139,7 +146,7 @@ Vec3f EdgeFinder::towardEye(const SurfaceLayer& first, const SurfaceLayer& secon
 bool EdgeFinder::isBefore(const Pixel& first, const Pixel& second) const
 {
   const std::uint32_t ia = first.instance, ib = second.instance;
-  const SurfaceLayer &la = first.layer, &lb = second.layer;
+  const SurfacePatch &la = first.layer, &lb = second.layer;
   const bool isPlain = ia == ib && settings_[ia].detector != OutlineDetector::kPlane;
   const PlaneDistances distances(la, lb);
   const float ofFirst = absolute(distances.ofFirst), ofSecond = absolute(distances.ofSecond);
@@ -174,8 +181,7 @@ float EdgeFinder::shareOf(const Pixel& pixel, int x, int y) const
   if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height) return 1.0f;
   const Pixel other = pixelAt(x, y);
   if (other.instance == kNobody) return depthAt(x, y) < depthAt(pixel.x, pixel.y) ? 1.0f : 0.0f;
-  if (other.instance == pixel.instance && !isStep(pixel, other))
-    return static_cast<float>(other.layer.count) / samples_;
+  if (other.instance == pixel.instance && !isStep(pixel, other)) return shareShown(other);
   return isBefore(pixel, other) ? 0.0f : 1.0f;
 }
 
@@ -183,7 +189,7 @@ void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges) const
 {
   const auto share = [&](int dx, int dy) { return shareOf(pixel, pixel.x + dx, pixel.y + dy); };
   const float right = share(1, 0), left = share(-1, 0), above = share(0, 1), below = share(0, -1);
-  const float own = static_cast<float>(pixel.layer.count) / samples_;
+  const float own = shareShown(pixel);
   const bool isCut = own < 1.0f;
   if (!isCut && right > 0.0f && left > 0.0f && above > 0.0f && below > 0.0f) return;
 
@@ -196,7 +202,8 @@ void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges) const
   const float length = std::sqrt(inwards.x * inwards.x + inwards.y * inwards.y);
   const Vec2f centre = {static_cast<float>(pixel.x) + 0.5f, static_cast<float>(pixel.y) + 0.5f};
   EdgePoint edge = {
-      centre, {0.0f, 0.0f}, pixel.x, static_cast<std::uint32_t>(pixel.index), pixel.layer};
+      centre,         {0.0f, 0.0f},       pixel.x,    static_cast<std::uint32_t>(pixel.index),
+      pixel.instance, toleranceOf(pixel), pixel.layer};
   if (length > 0.0f) {
     edge.normal = {-inwards.x / length, -inwards.y / length};
     float distance = 1.0f;
@@ -219,7 +226,7 @@ void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges) const
 }
 
 /// Where two planes that two pixels of a row or a column show meet.
-Vec2f EdgeFinder::creasePlace(const SurfaceLayer& first, const SurfaceLayer& second) const
+Vec2f EdgeFinder::creasePlace(const SurfacePatch& first, const SurfacePatch& second) const
 {
   const Vec3f eye = towardEye(first, second);
   const PlaneDistances distances(first, second);
@@ -237,9 +244,10 @@ void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
   if (x >= layers_.width || y >= layers_.height) return;
   const Pixel other = pixelAt(x, y);
   if (other.instance != pixel.instance) return;
-  const SurfaceLayer &first = pixel.layer, &second = other.layer;
+  const SurfacePatch &first = pixel.layer, &second = other.layer;
   const Settings& settings = settings_[pixel.instance];
-  const bool isBent = 1.0f - dot(first.normal, second.normal) > settings.creaseBound;
+  const bool isBent =
+      1.0f - dot(layers_.normal[pixel.index], layers_.normal[other.index]) > settings.creaseBound;
   const bool isIdBorder = settings.hasIds && layers_.id[pixel.index] != layers_.id[other.index];
   if (!(isBent || isIdBorder) || isStep(pixel, other)) return;
   found.push_back({isBent ? creasePlace(first, second)
@@ -306,7 +314,7 @@ void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const Crea
         met[count++] = side;
     if (count == 0) continue;
     const std::uint32_t index = met[0]->index;
-    const SurfaceLayer &layer = met[0]->layer, &beyond = met[0]->beyond;
+    const SurfacePatch &layer = met[0]->layer, &beyond = met[0]->beyond;
     if (count <= 2) {
       result.segments.push_back({met[0]->place, met[count - 1]->place, x, index, layer, beyond});
       continue;

@@ -17,7 +17,9 @@ struct EdgePoint {
   Vec2f normal;  ///< unit, away from the surface; (0, 0): all of the pixel is at the border
   int column;
   std::uint32_t index;  ///< of the pixel
-  SurfaceLayer layer;   ///< that it borders
+  std::uint32_t instance;
+  float tolerance;     ///< stepTolerance() there
+  SurfacePatch layer;  ///< that it borders
 };
 /// Of one row of pixels, by columns.
 struct EdgeRow {
@@ -30,13 +32,13 @@ struct CreaseCrossing {
   Vec2f place;
   int column;
   std::uint32_t index;         ///< of the pixel
-  SurfaceLayer layer, beyond;  ///< the pixel's and the neighbour's
+  SurfacePatch layer, beyond;  ///< the pixel's and the neighbour's
 };
 struct CreaseSegment {
   Vec2f from, to;  ///< may be one place
   int column;
   std::uint32_t index;         ///< of a pixel at its side
-  SurfaceLayer layer, beyond;  ///< that pixel's and that of one at its other side
+  SurfacePatch layer, beyond;  ///< that pixel's and that of one at its other side
 };
 /// Crossings that leave a row of pixels, and segments between it and the row above.
 struct CreaseRow {
@@ -66,7 +68,7 @@ class EdgeFinder {
     int x, y;
     std::size_t index;
     std::uint32_t instance;  ///< kNobody: no layer
-    SurfaceLayer layer;
+    SurfacePatch layer;
   };
 
   Pixel pixelAt(int x, int y) const;
@@ -76,15 +78,18 @@ class EdgeFinder {
   float depthAt(int x, int y) const;
   bool isStep(const Pixel& first, const Pixel& second) const;
   bool isGroove(const Pixel& first, const Pixel& second, const PlaneDistances& distances) const;
-  Vec3f towardEye(const SurfaceLayer& first, const SurfaceLayer& second) const;
+  Vec3f towardEye(const SurfacePatch& first, const SurfacePatch& second) const;
   bool isConvolved(const Pixel& first, const Pixel& second) const;
   Vec2f sobel(const Pixel& pixel) const;
   float laplacian(const Pixel& pixel) const;
   float distanceBeside(const Pixel& pixel, int dx, int dy) const;
   bool isBefore(const Pixel& first, const Pixel& second) const;
   float tolerance(const Pixel& first, const Pixel& second) const;
+  /// Of its samples, how many show its layer.
+  float shareShown(const Pixel& pixel) const;
+  float toleranceOf(const Pixel& pixel) const;
   void addEdge(const Pixel& pixel, EdgeRow& edges) const;
-  Vec2f creasePlace(const SurfaceLayer& first, const SurfaceLayer& second) const;
+  Vec2f creasePlace(const SurfacePatch& first, const SurfacePatch& second) const;
   void addCrossing(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;
   void look(int x, int y, unsigned marks, EdgeRow& edges, CreaseRow& creases) const;
 

@@ -44,7 +44,7 @@ struct LineMeasure::Pixel {
   std::uint32_t instance;
   Vec2f centre;
   const Style* style;
-  SurfaceLayer layer;
+  SurfacePatch layer;
   float tolerance, own;
 };
 
@@ -73,44 +73,64 @@ void LineMeasure::moveTo(int x)
 }
 
 /// Whether a pixel of the same instance near by shows the surface that this one shows.
-bool LineMeasure::areJoined(const Pixel& pixel, const SurfaceLayer& there) const
+bool LineMeasure::areJoined(const Pixel& pixel, const SurfacePatch& there, float tolerance) const
 {
-  const SurfaceLayer& here = pixel.layer;
+  const SurfacePatch& here = pixel.layer;
   const float x = absolute(here.x - there.x), y = absolute(here.y - there.y);
-  const float a = pixel.tolerance, b = stepTolerance(*pixel.style, there.point);
-  const float tolerance = (a < b ? b : a) * (1.0f + (x < y ? y : x));
-  return !PlaneDistances(here, there).areStep(tolerance);
+  const float larger = pixel.tolerance < tolerance ? tolerance : pixel.tolerance;
+  return !PlaneDistances(here, there).areStep(larger * (1.0f + (x < y ? y : x)));
+}
+bool LineMeasure::areJoined(const Pixel& pixel, const CreaseSegment& segment) const
+{
+  const auto areLayers = [&](const SurfacePatch& there) {
+    return areJoined(pixel, there, stepTolerance(*pixel.style, there.point));
+  };
+  return areLayers(segment.layer) || areLayers(segment.beyond);
 }
 
-void LineMeasure::findEdges(const Pixel& pixel)
+const LineMeasure::NearEdge* LineMeasure::findEdges(const Pixel& pixel)
 {
   near_.clear();
+  joined_.clear();
+  constexpr std::size_t kNone = ~std::size_t{0};
+  std::size_t nearest = kNone;
+  float squared = 0.0f;
   for (const NearRow& row : rows_) {
     if (row.y < pixel.y - pixel.reach || row.y > pixel.y + pixel.reach) continue;
     for (const EdgePoint* edge = row.edge;
          edge != row.lastEdge && edge->column <= pixel.x + pixel.reach; ++edge) {
-      if (edge->column < pixel.x - pixel.reach || layers_.instance[edge->index] != pixel.instance)
-        continue;
+      if (edge->column < pixel.x - pixel.reach || edge->instance != pixel.instance) continue;
       const Vec2f way = edge->foot - pixel.centre;
-      if (!(dot(edge->normal, way) < -kOutside) && areJoined(pixel, edge->layer))
-        near_.push_back({edge, way});
+      if (dot(edge->normal, way) < -kOutside) continue;
+      near_.push_back({edge, way});
+      joined_.push_back(Joined::kUnknown);
+      // Few are asked whether they are joined, the nearest and those along its border.
+      const float distance = dot(way, way);
+      if (nearest != kNone && !(distance < squared)) continue;
+      if (!isJoined(pixel, near_.size() - 1)) continue;
+      nearest = near_.size() - 1;
+      squared = distance;
     }
   }
+  return nearest == kNone ? nullptr : &near_[nearest];
+}
+
+bool LineMeasure::isJoined(const Pixel& pixel, std::size_t near)
+{
+  Joined& joined = joined_[near];
+  if (joined == Joined::kUnknown) {
+    const EdgePoint& edge = *near_[near].edge;
+    joined = areJoined(pixel, edge.layer, edge.tolerance) ? Joined::kYes : Joined::kNo;
+  }
+  return joined == Joined::kYes;
 }
 
 float LineMeasure::borderShare(const Pixel& pixel)
 {
-  findEdges(pixel);
-  if (near_.empty()) return 0.0f;
-  const NearEdge* nearest = &near_[0];
-  float squared = dot(nearest->way, nearest->way);
-  for (const NearEdge& edge : near_) {
-    const float other = dot(edge.way, edge.way);
-    if (!(other < squared)) continue;
-    nearest = &edge;
-    squared = other;
-  }
+  const NearEdge* const nearest = findEdges(pixel);
+  if (nearest == nullptr) return 0.0f;
   const Vec2f normal = nearest->edge->normal, way = nearest->way;
+  const float squared = dot(way, way);
   if (normal == Vec2f{0.0f, 0.0f}) return nearest->edge->index == pixel.index ? pixel.own : 0.0f;
 
   const auto along = [&](Vec2f to) { return absolute(normal.x * to.y - normal.y * to.x); };
@@ -120,11 +140,13 @@ float LineMeasure::borderShare(const Pixel& pixel)
     across = way * (1.0f / distance);
   } else {
     float sum = 0.0f, weights = 0.0f;
-    for (const NearEdge& near : near_) {
+    for (std::size_t i = 0; i < near_.size(); ++i) {
+      const NearEdge& near = near_[i];
       const EdgePoint& edge = *near.edge;
       const float weight = kSpan - along(near.way);
       if (!(weight > 0.0f) || !(dot(edge.normal, normal) >= kSameWay)) continue;
       if (!(absolute(dot(normal, edge.foot - nearest->edge->foot)) <= kSameBorder)) continue;
+      if (!isJoined(pixel, i)) continue;
       // The mean of both normals: exact to the second order on a circle.
       sum = sum + weight * (0.5f * (dot(edge.normal, near.way) + dot(normal, near.way)));
       weights = weights + weight;
@@ -145,15 +167,14 @@ float LineMeasure::creaseShare(const Pixel& pixel) const
     for (const CreaseSegment* segment = row.segment;
          segment != row.lastSegment && segment->column <= pixel.x + pixel.reach; ++segment) {
       if (segment->column < pixel.x - pixel.reach ||
-          layers_.instance[segment->index] != pixel.instance ||
-          !(areJoined(pixel, segment->layer) || areJoined(pixel, segment->beyond)))
+          layers_.instance[segment->index] != pixel.instance)
         continue;
       const Vec2f side = segment->to - segment->from, from = segment->from - pixel.centre;
       const float length = dot(side, side);
       const float t = length > 0.0f ? -(dot(from, side) / length) : 0.0f;
       const float bounded = t > 0.0f ? (t < 1.0f ? t : 1.0f) : 0.0f;
       const Vec2f way = from + side * bounded;
-      if (isNear && !(dot(way, way) < squared)) continue;
+      if ((isNear && !(dot(way, way) < squared)) || !areJoined(pixel, *segment)) continue;
       isNear = true;
       squared = dot(way, way);
       nearest = way;
@@ -184,9 +205,9 @@ float LineMeasure::shareAt(int x)
   pixel.y = y_;
   pixel.reach = reachOf(*pixel.style);
   pixel.centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y_) + 0.5f};
-  pixel.layer = layers_.at(x, y_);
+  pixel.layer = layers_.patchAt(x, y_);
   pixel.tolerance = stepTolerance(*pixel.style, pixel.layer.point);
-  pixel.own = static_cast<float>(pixel.layer.count) / static_cast<float>(scene_.samples);
+  pixel.own = static_cast<float>(layers_.countAt(pixel.index)) / static_cast<float>(scene_.samples);
   const float border = borderShare(pixel);
   const float crease = creaseShare(pixel) * pixel.own;
   return crease > border ? crease : border;

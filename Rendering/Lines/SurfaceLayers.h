@@ -15,12 +15,16 @@
 
 namespace limn {
 
+/// Where a pixel's nearest sample lies, and how the surface lies there.
+struct SurfacePatch {
+  ViewPoint point;
+  Vec3f plane;  ///< unit normal of the triangle's plane
+  float x, y;   ///< of the sample, in pixels from the frame's corner
+};
+
 /// What a pixel shows of the surface that its nearest sample lies on.
-struct SurfaceLayer {
-  ViewPoint point;       ///< at the nearest sample
-  Vec3f normal;          ///< FrameView::normal
-  Vec3f plane;           ///< that of the triangle's plane, which the former need not be
-  float x, y;            ///< of the nearest sample, in pixels from the frame's corner
+struct SurfaceLayer : SurfacePatch {
+  Vec3f normal;          ///< FrameView::normal, which the plane's need not be
   Rgba8 color;           ///< the mean of the samples that show it
   std::uint8_t count;    ///< samples that show it
   std::uint8_t shared;   ///< samples whose mean the pixel's colour is, at least `count`
@@ -75,33 +79,38 @@ struct SurfaceLayers {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
            static_cast<std::size_t>(x);
   }
-  /// SurfaceLayer::point. Requires: an instance is there.
+  // Of these, all require that an instance is there.
+  Vec2f placeAt(int x, int y) const
+  {
+    const SampleOffset offset = offsets[isSingle ? 0 : sample[indexOf(x, y)]];
+    return {static_cast<float>(x * kSubpixels + offset.x) * (1.0f / kSubpixels),
+            static_cast<float>(y * kSubpixels + offset.y) * (1.0f / kSubpixels)};
+  }
   ViewPoint pointAt(int x, int y) const
   {
-    const std::size_t i = indexOf(x, y);
-    const SampleOffset offset = offsets[sample[i]];
-    return toView->at(static_cast<float>(x * kSubpixels + offset.x) * (1.0f / kSubpixels),
-                      static_cast<float>(y * kSubpixels + offset.y) * (1.0f / kSubpixels),
-                      depth[i]);
+    const Vec2f place = placeAt(x, y);
+    return toView->at(place.x, place.y, depth[indexOf(x, y)]);
   }
-  /// Requires: an instance is there.
+  SurfacePatch patchAt(int x, int y) const
+  {
+    const std::size_t i = indexOf(x, y);
+    const Vec2f place = placeAt(x, y);
+    return {toView->at(place.x, place.y, depth[i]), plane[i], place.x, place.y};
+  }
   SurfaceLayer at(int x, int y) const
   {
     const std::size_t i = indexOf(x, y);
-    const SampleOffset offset = offsets[sample[i]];
     SurfaceLayer layer;
-    layer.x = static_cast<float>(x * kSubpixels + offset.x) * (1.0f / kSubpixels);
-    layer.y = static_cast<float>(y * kSubpixels + offset.y) * (1.0f / kSubpixels);
-    layer.point = toView->at(layer.x, layer.y, depth[i]);
+    static_cast<SurfacePatch&>(layer) = patchAt(x, y);
     layer.normal = normal[i];
-    layer.plane = plane[i];
     layer.color = color[i];
-    layer.count = count[i];
-    layer.shared = shared[i];
-    layer.covered = covered[i];
+    layer.count = countAt(i);
+    layer.shared = isSingle ? std::uint8_t{1} : shared[i];
+    layer.covered = isSingle ? std::uint8_t{1} : covered[i];
     layer.other = isSingle ? kNobody : other[i];
     return layer;
   }
+  std::uint8_t countAt(std::size_t i) const { return isSingle ? std::uint8_t{1} : count[i]; }
   ViewPoint pointAt(std::size_t index) const
   {
     const auto columns = static_cast<std::size_t>(width);
@@ -140,7 +149,7 @@ struct PlaneDistances {
     Vec3f position, plane;
   };
 
-  PlaneDistances(const SurfaceLayer& first, const SurfaceLayer& second)
+  PlaneDistances(const SurfacePatch& first, const SurfacePatch& second)
       : PlaneDistances(Patch{first.point.position, first.plane},
                        Patch{second.point.position, second.plane})
   {

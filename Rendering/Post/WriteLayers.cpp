@@ -178,7 +178,7 @@ class LayerWriter {
     setSample(index, {nearest.sample, nearest.depth});
     setSurface(index, nearest.owner, own);
     layers_.other[index] = kNobody;
-    const SurfaceLayer layer = layers_.at(columnOf(pixel), rowOf(pixel));
+    const SurfacePatch layer = layers_.patchAt(columnOf(pixel), rowOf(pixel));
     ColorSum sum(scene_.resolve);
     Vec3f radiance = {0, 0, 0};
     std::uint32_t count = 0, covered = 0;
@@ -215,7 +215,7 @@ class LayerWriter {
   {
     const std::size_t pixel = fragments_.pixel[first];
     const std::uint32_t nearest = nearestSample(clusters_, tile_, scene_.samples, pixel).owner;
-    const SurfaceLayer layer = layers_.at(columnOf(pixel), rowOf(pixel));
+    const SurfacePatch layer = layers_.patchAt(columnOf(pixel), rowOf(pixel));
     // By ids, in the order of the first samples that show them.
     std::uint32_t ids[kMaxSamples], samples[kMaxSamples];
     int count = 0;
@@ -244,14 +244,14 @@ class LayerWriter {
     return attributes.cellIds[attributes.cells.empty() ? triangle : attributes.cells[triangle]];
   }
 
-  bool isSameLayer(const SurfaceLayer& layer, std::uint32_t owner, std::size_t f) const
+  bool isSameLayer(const SurfacePatch& layer, std::uint32_t owner, std::size_t f) const
   {
     const PlacedInstance* const placed = placedOf(owner);
     if (placedOf(fragments_.owner[f]) != placed) return false;
     const std::size_t pixel = fragments_.pixel[f];
     const std::size_t sample = hwy::Num0BitsBelowLS1Bit_Nonzero32(fragments_.coverage[f]);
     const SampleOffset offset = layers_.offsets[sample];
-    SurfaceLayer other;
+    SurfacePatch other;
     other.x = static_cast<float>(columnOf(pixel) * kSubpixels + offset.x) * (1.0f / kSubpixels);
     other.y = static_cast<float>(rowOf(pixel) * kSubpixels + offset.y) * (1.0f / kSubpixels);
     other.point = layers_.toView->at(other.x, other.y, tile_.depth[sample][pixel]);
