@@ -374,23 +374,42 @@ class ChainCutter {
   std::vector<Evidence> evidence_;  ///< of each in seen_
 };
 
-/// Chains that one thread cuts at a time.
-constexpr std::size_t kChainsPerTask = 64;
+/// A thread cuts chains of about so many points at a time.
+constexpr std::size_t kPointsPerTask = 512;
 
-void addSet(const LineSet& set, const LinePlace& place, const FrameView& frame, int threads,
-            std::vector<StrokePiece>& pieces)
+struct PlacedSet {
+  const LineSet& set;
+  LinePlace place;
+  std::size_t group;
+};
+
+/// Some chains of a set, and what becomes of them.
+struct CutTask {
+  std::size_t set;
+  std::size_t firstChain, endChain;
+  std::vector<StrokePiece> pieces;
+};
+
+void addTasks(std::size_t number, const LineSet& set, std::vector<CutTask>& tasks)
 {
-  const std::size_t chains = set.chainCount();
-  const std::size_t tasks = (chains + kChainsPerTask - 1) / kChainsPerTask;
-  std::vector<std::vector<StrokePiece>> found(tasks);
-  parallelFor(threads, tasks, [&](std::size_t task) {
-    ChainCutter cutter(set, place, frame);
-    const std::size_t end = std::min(chains, (task + 1) * kChainsPerTask);
-    for (std::size_t chain = task * kChainsPerTask; chain < end; ++chain)
-      cutter.cut(chain, found[task]);
-  });
-  for (const std::vector<StrokePiece>& some : found)
-    pieces.insert(pieces.end(), some.begin(), some.end());
+  for (std::size_t chain = 0; chain < set.chainCount();) {
+    const std::size_t first = chain;
+    while (chain < set.chainCount() && set.first[chain] - set.first[first] < kPointsPerTask)
+      ++chain;
+    tasks.push_back({number, first, chain, {}});
+  }
+}
+
+void join(const std::vector<PlacedSet>& sets, const std::vector<CutTask>& tasks, StrokePlan& plan)
+{
+  for (const CutTask& task : tasks)
+    plan.groups[sets[task.set].group].endPiece += task.pieces.size();
+  std::size_t end = 0;
+  for (StrokeGroup& group : plan.groups)
+    group.endPiece = end += group.endPiece;
+  plan.pieces.reserve(end);
+  for (const CutTask& task : tasks)
+    plan.pieces.insert(plan.pieces.end(), task.pieces.begin(), task.pieces.end());
 }
 
 }  // namespace
@@ -398,17 +417,29 @@ void addSet(const LineSet& set, const LinePlace& place, const FrameView& frame, 
 StrokePlan findStrokePieces(const Scene& scene, const FrameView& frame, int threads)
 {
   StrokePlan plan;
+  std::vector<PlacedSet> sets;
+  std::vector<CutTask> tasks;
   for (const Instance& instance : scene.instances) {
     const LineStyle* before = nullptr;
     for (const LineSet& set : instance.lines) {
-      const LinePlace place(scene.camera, instance.modelToWorld, frame.width, frame.height);
       if (before == nullptr || !(*before == set.style))
-        plan.groups.push_back({set.style.color, set.style.opacity, plan.pieces.size(), 0});
+        plan.groups.push_back({set.style.color, set.style.opacity, 0});
       before = &set.style;
-      addSet(set, place, frame, threads, plan.pieces);
-      plan.groups.back().endPiece = plan.pieces.size();
+      addTasks(sets.size(), set, tasks);
+      sets.push_back({set,
+                      {scene.camera, instance.modelToWorld, frame.width, frame.height},
+                      plan.groups.size() - 1});
     }
   }
+  // Of all sets at once, as some are one long chain.
+  parallelFor(threads, tasks.size(), [&](std::size_t t) {
+    CutTask& task = tasks[t];
+    const PlacedSet& placed = sets[task.set];
+    ChainCutter cutter(placed.set, placed.place, frame);
+    for (std::size_t chain = task.firstChain; chain < task.endChain; ++chain)
+      cutter.cut(chain, task.pieces);
+  });
+  join(sets, tasks, plan);
   return plan;
 }
 

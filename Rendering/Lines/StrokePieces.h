@@ -23,7 +23,7 @@ inline constexpr float kNoDepth = 2;
 struct StrokeGroup {
   Vec3f color;
   float opacity;
-  std::size_t firstPiece, endPiece;
+  std::size_t endPiece;  ///< begins where the one before ends
 };
 
 /// All strokes of one frame.

@@ -7,6 +7,7 @@
 
 #include "vtkLimnProperty.h"
 
+#include "Rendering/Base/Executor.h"
 #include "Rendering/Lines/Terminator.h"
 
 #include "vtkDataArray.h"
@@ -14,6 +15,8 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <functional>
 #include <iterator>
 #include <sstream>
 #include <utility>
@@ -285,17 +288,43 @@ void SurfaceLines::addFeatures(vtkLimnProperty* property, vtkPolyData* data, con
   }
 }
 
-Status SurfaceLines::addContours(
-  vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame)
+/// What finds the lines that depend on the camera, all kinds at once: few of them keep all threads
+/// at work alone.
+class SurfaceLines::Finders
+{
+public:
+  /// Of what comes next in `lines`.
+  template <class Lines, class Find>
+  void add(std::vector<std::shared_ptr<const Lines>>& lines, const Find& find)
+  {
+    const std::size_t place = lines.size();
+    lines.emplace_back();
+    finders_.emplace_back(
+      [&lines, place, find] { lines[place] = std::make_shared<const Lines>(find()); });
+  }
+  void run(int threads) const
+  {
+    parallelFor(threads, finders_.size(), [this](std::size_t i) { finders_[i](); });
+  }
+
+private:
+  std::vector<std::function<void()>> finders_;
+};
+
+Status SurfaceLines::addContours(vtkLimnProperty* property, const LineView& view,
+  const Instance& instance, Finders& finders, FrameLines& frame)
 {
   if (Status status = this->updateNormals(property->GetCreaseAngle(), instance, view.threads);
       !status.ok())
   {
     return status;
   }
-  frame.contours.push_back(
-    std::make_shared<const ContourLines>(smoothContours(this->weldedMesh(instance.mesh), table_,
-      this->contourArrays(), normalBounds_, view.camera, instance.modelToWorld, view.threads)));
+  finders.add(frame.contours,
+    [this, &view, &instance]
+    {
+      return smoothContours(this->weldedMesh(instance.mesh), table_, this->contourArrays(),
+        normalBounds_, view.camera, instance.modelToWorld, view.threads);
+    });
   return {};
 }
 
@@ -332,7 +361,7 @@ Status SurfaceLines::addTerminators(
 }
 
 void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
-  const Instance& instance, FrameLines& frame)
+  const Instance& instance, Finders& finders, FrameLines& frame)
 {
   this->updateCurvature(normalsVersion(property, data, instance), instance, view.threads);
   const CurvedSurface surface = this->curved(instance.mesh);
@@ -367,8 +396,12 @@ void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const
     {
       curveBounds_ = boundCurves(surface, table_, view.threads);
     }
-    frame.contours.push_back(std::make_shared<const ContourLines>(suggestiveContours(surface,
-      table_, curveBounds_, view.camera, instance.modelToWorld, thresholds, view.threads)));
+    finders.add(frame.contours,
+      [this, &view, &instance, surface, thresholds]
+      {
+        return suggestiveContours(surface, table_, curveBounds_, view.camera, instance.modelToWorld,
+          thresholds, view.threads);
+      });
   }
 }
 
@@ -460,6 +493,7 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
   }
   const std::size_t firstEdges = frame.edges.size();
   const std::size_t firstContours = frame.contours.size();
+  Finders finders;
   if (kindsOf(property) != 0)
   {
     this->addFeatures(property, data, view, instance, frame);
@@ -470,12 +504,16 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
     {
       faceBounds_ = boundFaces(instance.mesh, table_, view.threads);
     }
-    frame.edges.push_back(std::make_shared<const EdgeChains>(silhouetteEdges(
-      instance.mesh, table_, faceBounds_, view.camera, instance.modelToWorld, view.threads)));
+    finders.add(frame.edges,
+      [this, &view, &instance]
+      {
+        return silhouetteEdges(
+          instance.mesh, table_, faceBounds_, view.camera, instance.modelToWorld, view.threads);
+      });
   }
   if (property->GetContourLines())
   {
-    if (Status status = this->addContours(property, view, instance, frame); !status.ok())
+    if (Status status = this->addContours(property, view, instance, finders, frame); !status.ok())
     {
       return status;
     }
@@ -489,8 +527,9 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
   }
   if (wantsCurves(property))
   {
-    this->addCurves(property, data, view, instance, frame);
+    this->addCurves(property, data, view, instance, finders, frame);
   }
+  finders.run(view.threads);
   auto sets = std::make_unique<std::vector<LineSet>>();
   if (property->GetHatchLines())
   {

@@ -101,12 +101,13 @@ private:
   FeatureArrays contourArrays() const;
   void addFeatures(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
     const Instance& instance, FrameLines& frame);
-  Status addContours(
-    vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
+  class Finders;
+  Status addContours(vtkLimnProperty* property, const LineView& view, const Instance& instance,
+    Finders& finders, FrameLines& frame);
   Status addTerminators(
     vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
   void addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
-    const Instance& instance, FrameLines& frame);
+    const Instance& instance, Finders& finders, FrameLines& frame);
 
   /// The angle of edges at which strokes end.
   double hatchCreaseDegrees(
