@@ -45,9 +45,14 @@ struct DepthUnsharp {
 /// its border (after Appel, Rohlf, Stein 1979). Where that is deeper by s the gap is as wide as
 /// width t^2 (3 - 2 t), t = min(1, s / (depth width w)) (after Everts and others 2009): surfaces
 /// that touch have none.
-/// It cuts image outlines of what lies behind, too, and creases there, but no lines of the mesh,
-/// which are drawn later, and no background.
+/// It cuts lines of what lies behind, too: image outlines and creases there; strokes of other
+/// instances as it would cut a surface as far away, also over the background, hidden ones by all
+/// of the width; those of its own instance where they lie behind by more than the depth of the
+/// whole width and kHorizon times what the surface rises within its last pixel, as contours of
+/// rounded surfaces lie behind that. Strokes that meet in a pixel and are laid over it at once
+/// count as the nearest of them. The background is not cut.
 struct Halo {
+  static constexpr float kHorizon = 3;
   float width = 0;          ///< pixels; 0: none; 0 to kMaxHaloWidth
   float depth = 4;          ///< in widths, above 0
   Vec3f color = {1, 1, 1};  ///< >= 0

@@ -25,6 +25,18 @@ enum class OutlineDetector : std::uint8_t {
   kLaplacian,
 };
 
+/// How a crease between two pixels next to each other is found in the normals, by an angle theta.
+enum class CreaseDetector : std::uint8_t {
+  kAngle,  ///< they are more than theta apart: exact for sharp creases, and nowhere else
+  /// Sobel's gradient of the normals, at one of the two, is longer than that of a sharp crease by
+  /// theta, which is half the chord 2 sin(theta/2), and more than a third of the chord lies between
+  /// the two: bevels within two pixels count as creases, too.
+  kSobel,
+  /// The Laplacian of the normals turns over: those at the two pixels have a negative product, and
+  /// differ by more than at a sharp crease along a row or a column of pixels, by two chords.
+  kLaplacian,
+};
+
 inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
 
 /// Lines along borders to other instances and to the background, along steps and along creases.
@@ -49,6 +61,7 @@ struct ImageOutline {
   OutlineDetector detector = OutlineDetector::kNone;
   float depthTolerance = 3;  ///< of a step, in pixels' widths where it is; >= 0
   float creaseDegrees = 40;  ///< normals that differ by more make a line; 0 to 180, 180: none
+  CreaseDetector creases = CreaseDetector::kAngle;
   /// Borders between Attributes::cellIds of one instance that are no steps have lines, too, in
   /// their middle as creases have. Where such a border lies within its pixels tell the samples that
   /// show either id: counted across the border they are its height over a pixel's side, and heights

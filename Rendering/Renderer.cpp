@@ -22,7 +22,6 @@
 #include "Rendering/Raster/VisibilityTile.h"
 #include "Rendering/Reference/ReferenceEffects.h"
 #include "Rendering/Reference/ReferenceRenderer.h"
-#include "Rendering/Reference/ReferenceStrokes.h"
 #include "Rendering/Shading/Fragments.h"
 #include "Rendering/Shading/TranslucentFragments.h"
 #include "Rendering/Vertex/PlacedScene.h"
@@ -295,7 +294,7 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     if (std::any_of(scene.instances.begin(), scene.instances.end(), hasImageOutline))
       drawImageOutlines({scene, frame, layers->layers, touched, options.threads});
   }
-  if (drawsStrokes) drawStrokes(scene, frame, options.threads);
+  if (drawsStrokes) drawStrokes(scene, frame, layers ? &layers->layers : nullptr, options.threads);
   stats.occludedClusters = occluded;
   stats.truncatedPixels = truncated;
   stats.tileMilliseconds = tileTime.milliseconds();
@@ -316,7 +315,6 @@ Status render(const Scene& scene, const FrameView& frame, const RenderOptions& o
     if (frame.clear.extent != FrameClear::Extent::kNothing)
       clearPixels(frame, {0, 0, frame.width, frame.height});
     frameStats.truncatedPixels = reference::render(scene, frame);
-    reference::drawStrokes(scene, frame);
     frameStats.instances = scene.instances.size();
     for (const Instance& instance : scene.instances)
       frameStats.triangles += instance.mesh.triangles.size();

@@ -282,6 +282,20 @@ int outlineDetectorOf(Detector detector)
   return vtkLimnProperty::OUTLINE_BY_PLANE;
 }
 
+int creaseDetectorOf(CreaseDetector detector)
+{
+  switch (detector)
+  {
+    case CreaseDetector::Sobel:
+      return vtkLimnProperty::CREASES_BY_SOBEL;
+    case CreaseDetector::Laplacian:
+      return vtkLimnProperty::CREASES_BY_LAPLACIAN;
+    case CreaseDetector::Angle:
+      break;
+  }
+  return vtkLimnProperty::CREASES_BY_ANGLE;
+}
+
 void setOutline(const MaterialSettings& material, vtkLimnProperty& property)
 {
   const bool isVisible = material.outlineWidth.value_or(1) > 0;
@@ -299,6 +313,8 @@ void setOutline(const MaterialSettings& material, vtkLimnProperty& property)
   {
     property.SetOutlineCreaseAngle(*material.outlineCreaseDegrees);
   }
+  property.SetOutlineCreaseDetector(
+    creaseDetectorOf(material.outlineCreases.value_or(CreaseDetector::Angle)));
   property.SetOutlineIds(material.outlineIds);
 }
 

@@ -113,6 +113,7 @@ void checkOutline(const MaterialSettings& material)
     refuseGiven({ { "--outline-detector", material.outlineDetector.has_value() },
                   { "--outline-tolerance", material.outlineTolerance.has_value() },
                   { "--outline-crease-angle", material.outlineCreaseDegrees.has_value() },
+                  { "--outline-crease-detector", material.outlineCreases.has_value() },
                   { "--outline-ids", material.outlineIds } },
       "--outline=image");
   }

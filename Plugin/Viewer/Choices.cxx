@@ -121,6 +121,13 @@ const Choices<Detector>& detectors()
   return choices;
 }
 
+const Choices<CreaseDetector>& creaseDetectors()
+{
+  static const Choices<CreaseDetector> choices = { { "angle", CreaseDetector::Angle },
+    { "sobel", CreaseDetector::Sobel }, { "laplacian", CreaseDetector::Laplacian } };
+  return choices;
+}
+
 const Choices<TextureFilter>& textureFilters()
 {
   static const Choices<TextureFilter> choices = { { "nearest", TextureFilter::Nearest },

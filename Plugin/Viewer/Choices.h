@@ -27,6 +27,7 @@ const Choices<LineKind>& lineKinds();
 const Choices<LineLights>& lineLights();
 const Choices<HiddenLines>& hiddenLines();
 const Choices<Detector>& detectors();
+const Choices<CreaseDetector>& creaseDetectors();
 const Choices<TextureFilter>& textureFilters();
 const Choices<TextureWrap>& textureWraps();
 const Choices<TextureRole>& textureRoles();

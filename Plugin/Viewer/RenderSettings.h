@@ -106,6 +106,13 @@ enum class Outline
   Image
 };
 
+enum class CreaseDetector
+{
+  Angle,
+  Sobel,
+  Laplacian
+};
+
 enum class Detector
 {
   Plane,
@@ -275,6 +282,7 @@ struct MaterialSettings
   std::optional<double> outlineOpacity;    ///< 0 to 1; 1 if not given
   std::optional<Detector> outlineDetector; ///< of Outline::Image; plane if not given
   std::optional<double> outlineTolerance, outlineCreaseDegrees; ///< likewise; the property's
+  std::optional<CreaseDetector> outlineCreases;                 ///< likewise; by angle
   bool outlineIds = false;                                      ///< of Outline::Image
   bool backfaceCulling = false;
 };

@@ -331,6 +331,9 @@ void addIllustration(OptionList& options, SceneSettings& scene)
     "of image, between normals as they are drawn: hard edges\nof meshes without normals need "
     "--feature-angle; 180: none (40)",
     into(material.outlineCreaseDegrees, parseFeatureAngle));
+  options.add("--outline-crease-detector", "name",
+    "of image: angle, or over three pixels sobel, laplacian\n(angle)",
+    choose(material.outlineCreases, creaseDetectors()));
   options.addSwitch("--outline-ids",
     "of image: lines between parts of a mesh, too, by the\ncell data that --ids-array names",
     material.outlineIds);

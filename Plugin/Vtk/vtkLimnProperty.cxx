@@ -251,6 +251,13 @@ const char* vtkLimnProperty::GetOutlineDetectorAsString()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkLimnProperty::GetOutlineCreaseDetectorAsString()
+{
+  static const char* const names[] = { "Angle", "Sobel", "Laplacian" };
+  return names[this->OutlineCreaseDetector];
+}
+
+//------------------------------------------------------------------------------
 const char* vtkLimnProperty::GetTextureRoleAsString()
 {
   static const char* const names[] = { "Shaded", "Surface" };
@@ -402,6 +409,7 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetOutlineDetector(other->OutlineDetector);
   this->SetOutlineDepthTolerance(other->OutlineDepthTolerance);
   this->SetOutlineCreaseAngle(other->OutlineCreaseAngle);
+  this->SetOutlineCreaseDetector(other->OutlineCreaseDetector);
   this->SetOutlineIds(other->OutlineIds);
   this->CopyCues(other);
   this->SetTextureRole(other->TextureRole);
@@ -529,6 +537,7 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutlineDetector: " << this->GetOutlineDetectorAsString() << "\n";
   os << indent << "OutlineDepthTolerance: " << this->OutlineDepthTolerance << "\n";
   os << indent << "OutlineCreaseAngle: " << this->OutlineCreaseAngle << "\n";
+  os << indent << "OutlineCreaseDetector: " << this->GetOutlineCreaseDetectorAsString() << "\n";
   os << indent << "OutlineIds: " << (this->OutlineIds ? "On" : "Off") << "\n";
   this->PrintCues(os, indent);
   os << indent << "TextureRole: " << this->GetTextureRoleAsString() << "\n";

@@ -563,6 +563,31 @@ public:
   vtkGetMacro(OutlineCreaseAngle, double);
   ///@}
 
+  enum OutlineCreaseDetectors
+  {
+    CREASES_BY_ANGLE = 0,
+    CREASES_BY_SOBEL,
+    CREASES_BY_LAPLACIAN
+  };
+
+  ///@{
+  /**
+   * How Image finds creases in the normals of the picture. Angle: between two pixels next to each
+   * other. Sobel: by the gradient of the normals over three rows and columns, so that bevels no
+   * wider than two pixels count as well. Laplacian: where that of the normals turns over. Default:
+   * Angle.
+   */
+  vtkSetClampMacro(OutlineCreaseDetector, int, CREASES_BY_ANGLE, CREASES_BY_LAPLACIAN);
+  vtkGetMacro(OutlineCreaseDetector, int);
+  void SetOutlineCreaseDetectorToAngle() { this->SetOutlineCreaseDetector(CREASES_BY_ANGLE); }
+  void SetOutlineCreaseDetectorToSobel() { this->SetOutlineCreaseDetector(CREASES_BY_SOBEL); }
+  void SetOutlineCreaseDetectorToLaplacian()
+  {
+    this->SetOutlineCreaseDetector(CREASES_BY_LAPLACIAN);
+  }
+  const char* GetOutlineCreaseDetectorAsString();
+  ///@}
+
   ///@{
   /**
    * Whether Image draws lines, in the middle as those of creases, between parts of one actor, too:
@@ -836,8 +861,8 @@ public:
    * A gap of HaloColor that the actor cuts into what of Limn's surfaces lies behind its borders,
    * parts of itself too, HaloWidth wide in HaloUnit (one of StrokeUnits), at most 64 pixels; 0, the
    * default, for none. It has its full width where these lie HaloDepth widths behind, and is the
-   * narrower the less that is. Outlines by image there are cut, too. Defaults: pixels, 4 and
-   * white.
+   * narrower the less that is. Lines there are cut, too; those of the actor itself only where
+   * they lie so far behind. Defaults: pixels, 4 and white.
    */
   vtkSetMacro(HaloWidth, double);
   vtkGetMacro(HaloWidth, double);
@@ -1049,6 +1074,7 @@ protected:
   int OutlineDetector = OUTLINE_BY_PLANE;
   double OutlineDepthTolerance = 3.0;
   double OutlineCreaseAngle = 40.0;
+  int OutlineCreaseDetector = CREASES_BY_ANGLE;
   bool OutlineIds = false;
   bool CreaseLines = false;
   bool BorderLines = false;

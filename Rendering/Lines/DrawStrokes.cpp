@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/DrawStrokes.h"
 
+#include "Rendering/Lines/HaloCut.h"
 #include "Rendering/Lines/LinePlace.h"
 #include "Rendering/Lines/StrokePieces.h"
 #include "Rendering/Lines/TileStroke.h"
@@ -11,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
+#include <optional>
 
 namespace limn {
 namespace {
@@ -115,8 +117,10 @@ std::uint32_t bitCount(std::uint32_t bits)
 /// Lays one group over the pixels of a frame.
 class StrokeBlend {
  public:
-  StrokeBlend(const StrokeGroup& group, const FrameView& frame, int samples)
+  StrokeBlend(const StrokeGroup& group, const FrameView& frame, const HaloCut* cut, int samples)
       : frame_(frame),
+        cut_(cut),
+        instance_(group.instance),
         opacity_(group.opacity),
         radiance_(group.color),
         bytes_{fullByte(group.color.x), fullByte(group.color.y), fullByte(group.color.z), 255.0f},
@@ -125,8 +129,13 @@ class StrokeBlend {
   {
   }
 
-  void blend(std::ptrdiff_t index, float coverage, float depth) const
+  void blend(int x, int y, float coverage, float depth) const
   {
+    if (cut_ != nullptr) {
+      coverage *= 1.0f - cut_->shareAt(x, y, depth, instance_);
+      if (!(coverage > 0.0f)) return;
+    }
+    const std::ptrdiff_t index = y * frame_.rowStride + x;
     const float a = coverage * opacity_;
     const bool isNew = keepsApart_ ? blendSamples(index, a) : blendAll(index, a);
     if ((a >= 0.5f || isNew) && depth < frame_.depth[index]) frame_.depth[index] = depth;
@@ -170,6 +179,8 @@ class StrokeBlend {
   }
 
   const FrameView& frame_;
+  const HaloCut* cut_;
+  std::uint32_t instance_;
   float opacity_;
   Vec3f radiance_;
   Vec4f bytes_;
@@ -180,8 +191,9 @@ class StrokeBlend {
 /// The strokes of one tile, group by group.
 class TilePainter {
  public:
-  TilePainter(const StrokePlan& plan, const FrameView& frame, int samples, TileRectangle tile)
-      : plan_(plan), frame_(frame), samples_(samples), tile_(tile)
+  TilePainter(const StrokePlan& plan, const FrameView& frame, const HaloCut* cut, int samples,
+              TileRectangle tile)
+      : plan_(plan), frame_(frame), cut_(cut), samples_(samples), tile_(tile)
   {
     thread_local const auto memory = std::make_unique<StrokeTile>();
     memory_ = memory.get();
@@ -213,18 +225,18 @@ class TilePainter {
       x1 = std::max(x1, stroke.x1);
       y1 = std::max(y1, stroke.y1);
     }
-    const StrokeBlend blend(group, frame_, samples_);
+    const StrokeBlend blend(group, frame_, cut_, samples_);
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) {
         const float coverage = memory_->coverage[y * kTileSide + x];
         if (coverage > 0)
-          blend.blend((tile_.y0 + y) * frame_.rowStride + tile_.x0 + x, coverage,
-                      memory_->depth[y * kTileSide + x]);
+          blend.blend(tile_.x0 + x, tile_.y0 + y, coverage, memory_->depth[y * kTileSide + x]);
       }
   }
 
   const StrokePlan& plan_;
   const FrameView& frame_;
+  const HaloCut* cut_;
   int samples_;
   TileRectangle tile_;
   StrokeTile* memory_;
@@ -295,16 +307,20 @@ TileRectangle boundStrokes(const Scene& scene, int width, int height, int thread
           pixelOf(std::ceil(box.x1), width), pixelOf(std::ceil(box.y1), height)};
 }
 
-void drawStrokes(const Scene& scene, const FrameView& frame, int threads)
+void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
+                 int threads)
 {
   const StrokePlan plan = findStrokePieces(scene, frame, threads);
   if (plan.pieces.empty()) return;
   const TileGrid grid = {frame.width, frame.height};
   StrokeBins bins(plan, grid, threads);
+  std::optional<HaloCut> cut;
+  if (layers != nullptr && !layers->halo.empty()) cut.emplace(scene, *layers);
   parallelFor(threads, grid.count(), [&](std::size_t tile) {
     const Span<const std::uint32_t> pieces = bins.sorted(tile);
     if (pieces.empty()) return;
-    TilePainter(plan, frame, scene.samples, grid.rectangle(tile)).paint(pieces);
+    TilePainter(plan, frame, cut ? &*cut : nullptr, scene.samples, grid.rectangle(tile))
+        .paint(pieces);
   });
 }
 

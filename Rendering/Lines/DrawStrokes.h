@@ -4,6 +4,7 @@
 
 #include "Rendering/Binning/TileGrid.h"
 #include "Rendering/FrameView.h"
+#include "Rendering/Lines/SurfaceLayers.h"
 #include "Rendering/Scene.h"
 
 namespace limn {
@@ -19,7 +20,9 @@ TileRectangle boundStrokes(const Scene& scene, int width, int height, int thread
 /// C + (line - C) a with a the coverage times the opacity, and the radiance likewise; with
 /// kKeepApart, and a plane of coverage, those of the covered samples, while round(a n) of the n
 /// uncovered samples become covered, by the line alone. Depths become those of the nearest line
-/// where a >= 1/2, or the pixel was not covered before, and it is nearer.
-void drawStrokes(const Scene& scene, const FrameView& frame, int threads);
+/// where a >= 1/2, or the pixel was not covered before, and it is nearer. `layers` are the frame's,
+/// or null; their halos take from the coverage.
+void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
+                 int threads);
 
 }  // namespace limn

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace limn {
 namespace {
@@ -32,14 +33,17 @@ EdgeFinder::EdgeFinder(const OutlinePass& pass)
     const ImageOutline& outline = instance.style.imageOutline;
     const bool isOutlined = hasImageOutline(instance);
     const float crease = 1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees));
-    settings_.push_back({isOutlined, outline.detector, crease, hasIdBorders(instance)});
+    settings_.push_back(
+        {isOutlined, outline.detector, outline.creases, crease, hasIdBorders(instance)});
     bounds_.asks.push_back(
         !isOutlined
             ? 0
             : kMayHaveEdge | kMayCreaseRight | kMayCreaseAbove |
                   (outline.detector == OutlineDetector::kPlane ? 0 : NeighbourBounds::kAlways));
     bounds_.tolerance.push_back(outline.depthTolerance);
-    bounds_.crease.push_back(crease);
+    bounds_.crease.push_back(outline.creases == CreaseDetector::kAngle
+                                 ? crease
+                                 : -std::numeric_limits<float>::infinity());
   }
 }
 
@@ -238,6 +242,51 @@ Vec2f EdgeFinder::creasePlace(const SurfacePatch& first, const SurfacePatch& sec
   return {first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t};
 }
 
+/// The pixel's own where another instance is.
+Vec3f EdgeFinder::normalBeside(const Pixel& pixel, int dx, int dy) const
+{
+  const int x = pixel.x + dx, y = pixel.y + dy;
+  const bool isInside = x >= 0 && y >= 0 && x < layers_.width && y < layers_.height;
+  const bool isSame = isInside && layers_.instance[layers_.indexOf(x, y)] == pixel.instance;
+  return layers_.normal[isSame ? layers_.indexOf(x, y) : pixel.index];
+}
+
+/// The square of the length of Sobel's gradient, per pixel.
+float EdgeFinder::gradientOfNormals(const Pixel& pixel) const
+{
+  const auto n = [&](int dx, int dy) { return normalBeside(pixel, dx, dy); };
+  const Vec3f x = ((n(1, -1) - n(-1, -1)) + (n(1, 0) - n(-1, 0)) * 2.0f) + (n(1, 1) - n(-1, 1));
+  const Vec3f y = ((n(-1, 1) - n(-1, -1)) + (n(0, 1) - n(0, -1)) * 2.0f) + (n(1, 1) - n(1, -1));
+  return (dot(x, x) + dot(y, y)) * (0.125f * 0.125f);
+}
+
+Vec3f EdgeFinder::laplacianOfNormals(const Pixel& pixel) const
+{
+  const auto n = [&](int dx, int dy) { return normalBeside(pixel, dx, dy); };
+  return ((n(1, 0) + n(-1, 0)) + (n(0, 1) + n(0, -1))) - n(0, 0) * 4.0f;
+}
+
+/// Of two pixels of one instance in a row or a column.
+bool EdgeFinder::isBent(const Pixel& first, const Pixel& second) const
+{
+  const Settings& settings = settings_[first.instance];
+  const float bound = settings.creaseBound;
+  const float turn = 1.0f - dot(layers_.normal[first.index], layers_.normal[second.index]);
+  switch (settings.creases) {
+    case CreaseDetector::kSobel:
+      return turn > bound * (1.0f / 9.0f) &&
+             (gradientOfNormals(first) > 0.5f * bound || gradientOfNormals(second) > 0.5f * bound);
+    case CreaseDetector::kLaplacian: {
+      const Vec3f atFirst = laplacianOfNormals(first), atSecond = laplacianOfNormals(second);
+      const Vec3f apart = atSecond - atFirst;
+      return bound < 2.0f && dot(atFirst, atSecond) < 0.0f && dot(apart, apart) > 8.0f * bound;
+    }
+    case CreaseDetector::kAngle:
+      break;
+  }
+  return turn > bound;
+}
+
 void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
                              std::vector<CreaseCrossing>& found) const
 {
@@ -246,12 +295,11 @@ void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
   if (other.instance != pixel.instance) return;
   const SurfacePatch &first = pixel.layer, &second = other.layer;
   const Settings& settings = settings_[pixel.instance];
-  const bool isBent =
-      1.0f - dot(layers_.normal[pixel.index], layers_.normal[other.index]) > settings.creaseBound;
+  const bool isCrease = isBent(pixel, other);
   const bool isIdBorder = settings.hasIds && layers_.id[pixel.index] != layers_.id[other.index];
-  if (!(isBent || isIdBorder) || isStep(pixel, other)) return;
-  found.push_back({isBent ? creasePlace(first, second)
-                          : placeOfIdBorder(layers_, {pixel.x, pixel.y, x != pixel.x}),
+  if (!(isCrease || isIdBorder) || isStep(pixel, other)) return;
+  found.push_back({isCrease ? creasePlace(first, second)
+                            : placeOfIdBorder(layers_, {pixel.x, pixel.y, x != pixel.x}),
                    pixel.x, static_cast<std::uint32_t>(pixel.index), first, second});
 }
 

@@ -61,6 +61,7 @@ class EdgeFinder {
   struct Settings {
     bool isOutlined = false;
     OutlineDetector detector = OutlineDetector::kNone;
+    CreaseDetector creases = CreaseDetector::kAngle;
     float creaseBound = 0;  ///< of 1 - n.n'
     bool hasIds = false;
   };
@@ -83,6 +84,10 @@ class EdgeFinder {
   Vec2f sobel(const Pixel& pixel) const;
   float laplacian(const Pixel& pixel) const;
   float distanceBeside(const Pixel& pixel, int dx, int dy) const;
+  bool isBent(const Pixel& first, const Pixel& second) const;
+  Vec3f normalBeside(const Pixel& pixel, int dx, int dy) const;
+  float gradientOfNormals(const Pixel& pixel) const;
+  Vec3f laplacianOfNormals(const Pixel& pixel) const;
   bool isBefore(const Pixel& first, const Pixel& second) const;
   float tolerance(const Pixel& first, const Pixel& second) const;
   /// Of its samples, how many show its layer.

@@ -115,6 +115,7 @@ void beginLayers(const Scene& scene, const FrameView& frame, SurfaceLayers& laye
   layers.color.resize(room);
   layers.radiance.resize(frame.radiance.empty() ? 0 : pixels);
   layers.halo.clear();
+  layers.haloOwner.clear();
   layers.hasIds = std::any_of(scene.instances.begin(), scene.instances.end(), hasIdBorders);
   layers.id.resize(layers.hasIds ? room : 0);
   layers.idSamples.resize(layers.hasIds ? room : 0);

@@ -419,11 +419,13 @@ StrokePlan findStrokePieces(const Scene& scene, const FrameView& frame, int thre
   StrokePlan plan;
   std::vector<PlacedSet> sets;
   std::vector<CutTask> tasks;
-  for (const Instance& instance : scene.instances) {
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
     const LineStyle* before = nullptr;
     for (const LineSet& set : instance.lines) {
       if (before == nullptr || !(*before == set.style))
-        plan.groups.push_back({set.style.color, set.style.opacity, 0});
+        plan.groups.push_back(
+            {static_cast<std::uint32_t>(i), set.style.color, set.style.opacity, 0});
       before = &set.style;
       addTasks(sets.size(), set, tasks);
       sets.push_back({set,

@@ -21,6 +21,7 @@ inline constexpr float kNoDepth = 2;
 
 /// Pieces whose coverage is combined before it is blended once.
 struct StrokeGroup {
+  std::uint32_t instance;  ///< place in Scene::instances
   Vec3f color;
   float opacity;
   std::size_t endPiece;  ///< begins where the one before ends

@@ -67,12 +67,15 @@ struct SurfaceLayers {
   Array<float> depth;  ///< of that sample
   LayerVectors normal, plane;
   Array<Rgba8> color;
-  Array<Vec3f> radiance;          ///< the mean of the layer's; empty unless the frame has radiance
-  Array<float> halo;              ///< share of the layer that a halo has; empty: none
-  bool hasIds = false;            ///< the next two are written
-  Array<std::uint32_t> id;        ///< of Attributes::cellIds that of most samples, or the first of
-                                  ///< these; 0: there are none
-  Array<std::uint8_t> idSamples;  ///< how many of `count` show it
+  Array<Vec3f> radiance;  ///< the mean of the layer's; empty unless the frame has radiance
+  /// Share of the layer that a halo has; of nobody's pixels what it would have of a layer far
+  /// behind, if the scene has lines. Empty: there are no halos.
+  Array<float> halo;
+  Array<std::uint32_t> haloOwner;  ///< where that is not 0: the pixel whose surface has the halo
+  bool hasIds = false;             ///< the next two are written
+  Array<std::uint32_t> id;         ///< of Attributes::cellIds that of most samples, or the first of
+                                   ///< these; 0: there are none
+  Array<std::uint8_t> idSamples;   ///< how many of `count` show it
 
   std::size_t indexOf(int x, int y) const
   {

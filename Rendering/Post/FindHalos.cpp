@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Post/FindHalos.h"
 
+#include "Rendering/Lines/HaloCut.h"
 #include "Rendering/Post/EffectPass.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ HaloFinder::HaloFinder(const CuePass& pass, const DistancePlane& distances)
     const float width = hasCues(instance) ? instance.style.cues.halo.width : 0.0f;
     width_.push_back(width);
     if (width > 0.0f) reach_ = std::max(reach_, static_cast<int>(std::ceil(width)) + 1);
+    cutsStrokes_ = cutsStrokes_ || !instance.lines.empty();
   }
 }
 
@@ -24,7 +26,7 @@ void HaloFinder::find()
   SurfaceLayers& layers = pass_.layers;
   borders_.resize(static_cast<std::size_t>(layers.height));
   layers.halo.resize(layers.instance.size());
-  owner_.resize(layers.instance.size());
+  layers.haloOwner.resize(layers.instance.size());
   forEachRow(pass_.threads, layers.height, [&](int y) { findBorders(y); });
   forEachRow(pass_.threads, layers.height, [&](int y) { findShares(y); });
 }
@@ -102,33 +104,10 @@ bool HaloFinder::isStep(std::size_t behind, std::size_t before) const
       .areStep(a < b ? b : a);
 }
 
-HaloFinder::Border HaloFinder::borderAt(Column column, int y) const
+bool HaloFinder::areOneSurface(std::size_t behind, std::size_t before, bool isBeforeItself) const
 {
-  const int x = column.x;
-  const std::size_t index = pass_.layers.indexOf(x, y);
-  const SurfaceLayers& layers = pass_.layers;
-  const Halo& halo = haloOf(index);
-  return {index,
-          distances_.row(y)[x],
-          halo.width,
-          halo.depth * halo.width * layers.pointAt(x, y).pixel,
-          static_cast<float>(layers.count[index]) / static_cast<float>(pass_.scene.samples),
-          column.isBeforeItself};
-}
-
-/// How wide a border's halo is over what lies so far; 0: none, unless both are of one surface.
-float HaloFinder::widthOver(const Border& border, float other)
-{
-  const float behind = other - border.distance;
-  if (other == DistancePlane::kFar || !(behind > 0.0f)) return 0.0f;
-  const float t = behind < border.full ? behind / border.full : 1.0f;
-  return border.width * ((t * t) * (3.0f - 2.0f * t));
-}
-
-bool HaloFinder::areOneSurface(std::size_t behind, const Border& border) const
-{
-  return pass_.layers.instance[behind] == pass_.layers.instance[border.index] &&
-         !(border.isBeforeItself && isStep(behind, border.index));
+  return pass_.layers.instance[behind] == pass_.layers.instance[before] &&
+         !(isBeforeItself && isStep(behind, before));
 }
 
 /// Over the pixels of row y, of the surface that ends in another row.
@@ -136,39 +115,44 @@ void HaloFinder::addHalo(int y, Column end, int row)
 {
   const int column = end.x;
   SurfaceLayers& layers = pass_.layers;
-  const Border border = borderAt(end, row);
+  const std::size_t before = layers.indexOf(column, row);
+  const HaloBorder border(pass_.scene, layers, before);
   const auto dy = static_cast<float>(y - row);
   const int reach = static_cast<int>(std::ceil(border.width)) + 1;
   if (y - row > reach || row - y > reach) return;
   for (int x = std::max(column - reach, 0); x <= std::min(column + reach, layers.width - 1); ++x) {
-    const float width = widthOver(border, distances_.row(y)[x]);
+    const float other = distances_.row(y)[x];
+    if (other == DistancePlane::kFar && !cutsStrokes_) continue;
+    const float width = border.widthOver(other);
     if (width == 0.0f) continue;
-    const auto dx = static_cast<float>(x - column);
-    const float fromBorder = std::sqrt(dx * dx + dy * dy) - (border.covered - 0.5f);
-    const float unbounded = width + 0.5f - fromBorder;
-    const float share = unbounded < 1.0f ? unbounded : 1.0f;
+    const float share = border.shareOf(width, static_cast<float>(x - column), dy);
     const std::size_t index = layers.indexOf(x, y);
     if (!(share > 0.0f) || share < layers.halo[index]) continue;
-    const bool isBetter =
-        share > layers.halo[index] || border.distance < -layers.pointAt(owner_[index]).position.z;
-    if (!isBetter || areOneSurface(index, border)) continue;
+    const bool isBetter = share > layers.halo[index] ||
+                          border.distance < -layers.pointAt(layers.haloOwner[index]).position.z;
+    if (!isBetter || areOneSurface(index, before, end.isBeforeItself)) continue;
     layers.halo[index] = share;
-    owner_[index] = static_cast<std::uint32_t>(border.index);
+    layers.haloOwner[index] = static_cast<std::uint32_t>(before);
   }
 }
 
 float HaloFinder::shareBehind(Column end, int y) const
 {
   const int x = end.x;
-  const Border border = borderAt(end, y);
+  const std::size_t before = pass_.layers.indexOf(x, y);
+  const HaloBorder border(pass_.scene, pass_.layers, before);
   if (border.covered == 1.0f) return 0.0f;
   float most = 0.0f;
   const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, distances_.width - 1);
   const int y0 = std::max(y - 1, 0), y1 = std::min(y + 1, distances_.height - 1);
   for (int row = y0; row <= y1; ++row)
     for (int column = x0; column <= x1; ++column) {
-      const float width = widthOver(border, distances_.row(row)[column]);
-      if (width > most && !areOneSurface(pass_.layers.indexOf(column, row), border)) most = width;
+      const float other = distances_.row(row)[column];
+      if (other == DistancePlane::kFar) continue;
+      const float width = border.widthOver(other);
+      if (width > most &&
+          !areOneSurface(pass_.layers.indexOf(column, row), before, end.isBeforeItself))
+        most = width;
     }
   const float share = most / (1.0f - border.covered);
   return share < 1.0f ? share : 1.0f;

@@ -4,6 +4,7 @@
 
 #include "Rendering/Post/CuePass.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -15,11 +16,11 @@ class HaloFinder {
   HaloFinder(const CuePass& pass, const DistancePlane& distances);
 
   bool any() const { return reach_ > 0; }
-  /// Fills SurfaceLayers::halo.
+  /// Fills SurfaceLayers::halo and haloOwner.
   void find();
 
   /// Requires: SurfaceLayers::halo there is not 0.
-  Vec3f colorAt(std::size_t index) const { return haloOf(owner_[index]).color; }
+  Vec3f colorAt(std::size_t index) const { return haloOf(pass_.layers.haloOwner[index]).color; }
   /// Where a surface with a halo ends: before others or the background; before itself, too.
   struct Column {
     int x;
@@ -39,16 +40,7 @@ class HaloFinder {
   {
     return pass_.scene.instances[pass_.layers.instance[index]].style.cues.halo;
   }
-  struct Border {
-    std::size_t index;
-    float distance, width, full;  ///< the width is that from the depth difference `full` on
-    float covered;                ///< share of the pixel
-    bool isBeforeItself;
-  };
-
-  Border borderAt(Column column, int y) const;
-  static float widthOver(const Border& border, float other);
-  bool areOneSurface(std::size_t behind, const Border& border) const;
+  bool areOneSurface(std::size_t behind, std::size_t before, bool isBeforeItself) const;
   float slopeTo(int x, int y, float distance, std::uint32_t instance) const;
   enum class End : std::uint8_t { kNone, kBeforeOthers, kBeforeItself };
   End endAt(int x, int y) const;
@@ -59,10 +51,10 @@ class HaloFinder {
 
   const CuePass& pass_;
   const DistancePlane& distances_;
-  int reach_ = 0;             ///< of the widest halo, in pixels
+  int reach_ = 0;  ///< of the widest halo, in pixels
+  bool cutsStrokes_ = false;
   std::vector<float> width_;  ///< by instance; 0: none
   std::vector<std::vector<Column>> borders_;
-  Array<std::uint32_t> owner_;  ///< pixel whose surface has the halo
 };
 
 }  // namespace limn

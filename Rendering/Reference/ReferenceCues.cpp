@@ -130,7 +130,9 @@ class Cues {
         blocks_.try_emplace(instance.style.cues.unsharp.radius, frame_, layers_,
                             instance.style.cues.unsharp.radius * diagonal_);
     forEachPixel([&](Pixel p) { borders_[index(p)] = borderAt(p); });
-    forEachPixel([&](Pixel p) { findHalo(p); });
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        findHalo({x, y});
     forEachPixel([&](Pixel p) { cues_[index(p)] = cueAt(p); });
     forEachPixel([&](Pixel p) {
       paintRest(p);
@@ -275,6 +277,7 @@ class Cues {
   float haloWidth(Pixel p, Pixel q) const
   {
     const Halo& halo = cuesAt(q).halo;
+    if (!isSurface(p)) return halo.width;  // of lines there, which may be as far
     const float behind = distance(p) - distance(q);
     if (!(behind > 0)) return 0;
     if (layer(p).instance == layer(q).instance &&
@@ -322,6 +325,7 @@ class Cues {
         if (isBetter) best = {share, index(q)};
       }
     layers_[index(p)].halo = best.share;
+    layers_[index(p)].haloOf = best.of;
   }
 
   /// The share that the halo of p has of what its surface leaves of it, which lies behind.

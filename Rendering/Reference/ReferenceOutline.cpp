@@ -292,11 +292,51 @@ class Outlines {
   std::optional<Vec2f> crossing(Pixel p, Pixel q) const
   {
     if (!isInside(q) || layer(q).instance != layer(p).instance || isEdge(p, q)) return {};
-    const double angle = styleAt(p).imageOutline.creaseDegrees;
-    const float turn = 1.0f - dot(layer(p).normal, layer(q).normal);
-    if (turn > 1.0f - static_cast<float>(cosineOfDegrees(angle))) return creasePlace(p, q);
+    if (isCrease(p, q)) return creasePlace(p, q);
     if (styleAt(p).imageOutline.ids && layer(p).id != layer(q).id) return idBorderPlace(p, q);
     return {};
+  }
+
+  bool isCrease(Pixel p, Pixel q) const
+  {
+    const ImageOutline& outline = styleAt(p).imageOutline;
+    const float least = 1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees));
+    const float turn = 1.0f - dot(layer(p).normal, layer(q).normal);
+    switch (outline.creases) {
+      case CreaseDetector::kSobel:
+        return turn > least * (1.0f / 9) &&
+               std::max(sobelOfNormals(p), sobelOfNormals(q)) > least / 2;
+      case CreaseDetector::kLaplacian: {
+        const Vec3f a = laplacianOfNormals(p), b = laplacianOfNormals(q);
+        return least < 2 && dot(a, b) < 0 && dot(b - a, b - a) > 8 * least;
+      }
+      default:
+        return turn > least;
+    }
+  }
+  /// That at q if the instance of p is there, else at p.
+  Vec3f normalAt(Pixel p, Pixel q) const
+  {
+    const bool isThere = isInside(q) && layer(q).instance == layer(p).instance;
+    return layer(isThere ? q : p).normal;
+  }
+  /// How normals change per pixel, squared.
+  float sobelOfNormals(Pixel p) const
+  {
+    const auto n = [&](int dx, int dy) { return normalAt(p, {p.x + dx, p.y + dy}); };
+    Vec3f gx = {0, 0, 0}, gy = {0, 0, 0};
+    for (int i = -1; i <= 1; ++i) {
+      const float weight = i == 0 ? 2.0f : 1.0f;
+      gx = gx + (n(1, i) - n(-1, i)) * weight;
+      gy = gy + (n(i, 1) - n(i, -1)) * weight;
+    }
+    return (dot(gx, gx) + dot(gy, gy)) / 64.0f;
+  }
+  Vec3f laplacianOfNormals(Pixel p) const
+  {
+    const Vec3f sides = normalAt(p, {p.x + 1, p.y}) + normalAt(p, {p.x - 1, p.y});
+    const Vec3f ends = normalAt(p, {p.x, p.y + 1}) + normalAt(p, {p.x, p.y - 1});
+    return (sides + ends) - layer(p).normal * 4.0f;
   }
 
   /// How much of r shows p's id, for two ids p and q. Where the instance is not seen p's goes on

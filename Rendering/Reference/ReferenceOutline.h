@@ -25,7 +25,8 @@ struct Layer {
   Vec3f radiance;                 ///< likewise
   std::uint32_t id = 0;  ///< that of Attributes::cellIds that most of `count` show, or the first
   int idSamples = 0;     ///< how many of `count` show that
-  float halo = 0;        ///< share of it that a halo has, where no line is drawn
+  float halo = 0;  ///< share of it that a halo has; of nobody's what it had of a layer far off
+  std::size_t haloOf = 0;  ///< if that is not 0: the pixel whose surface has the halo
 };
 
 /// Whether two points lie on different surfaces of one instance: one is off the other's plane by

@@ -9,6 +9,7 @@
 #include "Rendering/Reference/ReferenceCues.h"
 #include "Rendering/Reference/ReferenceHull.h"
 #include "Rendering/Reference/ReferenceOutline.h"
+#include "Rendering/Reference/ReferenceStrokes.h"
 #include "Rendering/Reference/ReferenceShading.h"
 #include "Rendering/Vertex/ClipTriangle.h"
 #include "Rendering/Vertex/PlaceLights.h"
@@ -745,10 +746,11 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   const bool areOutlined = std::any_of(all.begin(), all.end(), [](const Instance& instance) {
     return instance.style.imageOutline.detector != OutlineDetector::kNone;
   });
-  if (!areCued && !areOutlined) return truncated;
-  std::vector<Layer> layers = picture.layersOfAll();
+  std::vector<Layer> layers;
+  if (areCued || areOutlined) layers = picture.layersOfAll();
   if (areCued) drawCues(scene, frame, layers);
   if (areOutlined) drawOutlines(scene, frame, layers);
+  drawStrokes(scene, frame, layers);
   return truncated;
 }
 

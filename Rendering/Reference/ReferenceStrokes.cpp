@@ -3,6 +3,7 @@
 #include "Rendering/Reference/ReferenceStrokes.h"
 
 #include "Rendering/Base/Mat4.h"
+#include "Rendering/Vertex/ScreenToView.h"
 #include "Rendering/Vertex/ScreenVertex.h"
 
 #include <algorithm>
@@ -75,7 +76,11 @@ constexpr int kBlock = 64;  ///< lines are told by their distance to the corner 
 
 class Lines {
  public:
-  Lines(const Scene& scene, const FrameView& frame) : scene_(scene), frame_(frame)
+  Lines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
+      : scene_(scene),
+        frame_(frame),
+        layers_(layers),
+        toView_(scene.camera, frame.width, frame.height)
   {
     const auto pixels =
         static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
@@ -96,7 +101,7 @@ class Lines {
         if (i == 0 || !(instance.lines[i - 1].style == set.style)) begin();
         cover(instance, set);
         if (i + 1 == instance.lines.size() || !(instance.lines[i + 1].style == set.style))
-          blend(set.style);
+          blend(set.style, instance);
       }
   }
 
@@ -493,13 +498,57 @@ class Lines {
     depth_[at] = std::min(depth_[at], piece.depthA + t * (piece.depthB - piece.depthA));
   }
 
-  void blend(const LineStyle& style)
+  void blend(const LineStyle& style, const Instance& instance)
   {
+    const auto number = static_cast<std::uint32_t>(&instance - scene_.instances.data());
     for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x)
-        if (coverage_[pixel(x, y)] > 0.0f)
-          blendPixel(style, y * frame_.rowStride + x, coverage_[pixel(x, y)] * style.opacity,
-                     depth_[pixel(x, y)]);
+      for (int x = 0; x < frame_.width; ++x) {
+        const float depth = depth_[pixel(x, y)];
+        const float seen = coverage_[pixel(x, y)] * (1.0f - cutShare(x, y, depth, number));
+        if (seen > 0.0f) blendPixel(style, y * frame_.rowStride + x, seen * style.opacity, depth);
+      }
+  }
+
+  /// How much nearer than a pixel its neighbours of the same instance are, at most.
+  float riseAt(std::size_t at) const
+  {
+    const int columns = frame_.width;
+    const int x = static_cast<int>(at) % columns, y = static_cast<int>(at) / columns;
+    float rise = 0;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const int nx = x + dx, ny = y + dy;
+        if (nx < 0 || ny < 0 || nx >= frame_.width || ny >= frame_.height) continue;
+        const Layer& near = layers_[pixel(nx, ny)];
+        if (near.instance == layers_[at].instance)
+          rise = std::max(rise, near.point.position.z - layers_[at].point.position.z);
+      }
+    return rise;
+  }
+
+  /// How much of a stroke of an instance a halo takes at a pixel.
+  float cutShare(int x, int y, float depth, std::uint32_t instance) const
+  {
+    if (layers_.empty() || layers_[pixel(x, y)].halo == 0) return 0;
+    const Layer& under = layers_[pixel(x, y)];
+    const Layer& before = layers_[under.haloOf];
+    const float nearest = -before.point.position.z;
+    const float centreX = static_cast<float>(x) + 0.5f, centreY = static_cast<float>(y) + 0.5f;
+    const float distance = depth > 1 ? HUGE_VALF : -toView_.at(centreX, centreY, depth).position.z;
+    const Halo& halo = scene_.instances[before.instance].style.cues.halo;
+    const float full = halo.depth * halo.width * before.point.pixel;
+    if (before.instance == instance &&
+        !(distance - nearest > full + Halo::kHorizon * riseAt(under.haloOf)))
+      return 0;
+    if (!(distance > nearest)) return 0;
+    const float t = std::min(1.0f, (distance - nearest) / full);
+    const float width = halo.width * ((t * t) * (3.0f - 2.0f * t));
+    const auto columns = static_cast<std::size_t>(frame_.width);
+    const auto dx = static_cast<float>(x - static_cast<int>(under.haloOf % columns));
+    const auto dy = static_cast<float>(y - static_cast<int>(under.haloOf / columns));
+    const float covered = static_cast<float>(before.count) / static_cast<float>(scene_.samples);
+    const float fromBorder = std::sqrt(dx * dx + dy * dy) - (covered - 0.5f);
+    return width == 0 ? 0.0f : std::clamp(width + 0.5f - fromBorder, 0.0f, 1.0f);
   }
 
   void blendPixel(const LineStyle& style, std::ptrdiff_t index, float a, float depth)
@@ -539,6 +588,8 @@ class Lines {
 
   const Scene& scene_;
   const FrameView& frame_;
+  const std::vector<Layer>& layers_;
+  ScreenToView toView_;
   Mat4d toClip_ = Mat4d::identity();
   std::vector<float> old_;               ///< depths of the surfaces
   std::vector<float> coverage_, depth_;  ///< of the drawing that is being made
@@ -546,11 +597,11 @@ class Lines {
 
 }  // namespace
 
-void drawStrokes(const Scene& scene, const FrameView& frame)
+void drawStrokes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
 {
   const bool isAny = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const Instance& one) { return !one.lines.empty(); });
-  if (isAny) Lines(scene, frame).draw();
+  if (isAny) Lines(scene, frame, layers).draw();
 }
 
 }  // namespace limn::reference

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Rendering/FrameView.h"
-#include "Rendering/Scene.h"
+#include "Rendering/Reference/ReferenceOutline.h"
+
+#include <vector>
 
 namespace limn::reference {
 
 /// Instance::lines over a picture of all surfaces, by the shortest obvious scalar code: every line
-/// against every pixel of its box. The oracle for Lines/DrawStrokes.
-void drawStrokes(const Scene& scene, const FrameView& frame);
+/// against every pixel of its box. The oracle for Lines/DrawStrokes. `layers` are those of all
+/// pixels, whose halos cut what lies behind them, or empty.
+void drawStrokes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers);
 
 }  // namespace limn::reference

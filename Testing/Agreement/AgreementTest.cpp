@@ -395,6 +395,29 @@ Picture drawnWithout(const RandomScene& random, const FrameClear& clear,
   return picture;
 }
 
+TEST_P(EveryTarget, DrawsCreasesLikeTheReferenceByEveryDetector)
+{
+  std::size_t changedPixels[3] = {0, 0, 0};
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kCreases);
+    Picture expected = random.canvas(), actual = random.canvas();
+    const FrameView frame = actual.frame(random.background());
+    ASSERT_TRUE(
+        render(random.scene(), expected.frame(random.background()), {Backend::kReference, 1}).ok());
+    ASSERT_TRUE(render(random.scene(), frame, {Backend::kPipeline, 2}).ok());
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    for (const CreaseDetector detector :
+         {CreaseDetector::kAngle, CreaseDetector::kSobel, CreaseDetector::kLaplacian}) {
+      const Picture without = drawnWithout(random, {}, [detector](Style& style) {
+        if (style.imageOutline.creases == detector) style.imageOutline.creaseDegrees = 180;
+      });
+      changedPixels[static_cast<int>(detector)] += actual.differingPixels(without);
+    }
+  }
+  for (const std::size_t changed : changedPixels)
+    EXPECT_GT(changed, 2000u) << "creases must show";
+}
+
 TEST_P(EveryTarget, DrawsBordersOfIdsLikeTheReference)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};

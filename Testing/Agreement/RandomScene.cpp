@@ -234,6 +234,16 @@ std::size_t Picture::differingPixels(const Picture& other) const
   return count;
 }
 
+namespace {
+
+bool hasImageLines(RandomScene::Detail detail)
+{
+  return detail == RandomScene::Detail::kImageLines || detail == RandomScene::Detail::kCreases ||
+         detail == RandomScene::Detail::kIdBorders;
+}
+
+}  // namespace
+
 RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
 {
   Random random(seed);
@@ -274,7 +284,8 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
     addTones();
   if (detail == Detail::kDataTones) addDataTones();
   if (detail == Detail::kHulls) addHulls();
-  if (detail == Detail::kImageLines || detail == Detail::kIdBorders) addImageLines();
+  if (hasImageLines(detail)) addImageLines();
+  if (detail == Detail::kCreases) addCreaseDetectors();
   if (detail == Detail::kIdBorders) addIds();
   if (detail == Detail::kCues) addCues();
   scene_.ambientLight = random.color();
@@ -310,9 +321,7 @@ void RandomScene::addMesh(Random& random, Detail detail)
       detail == Detail::kFine || detail == Detail::kFineTranslucent ||
               (detail == Detail::kHulls && seed_ % 8 == 0) ||
               (detail == Detail::kLines && seed_ % 5 == 0) ||
-              ((detail == Detail::kImageLines || detail == Detail::kIdBorders ||
-                detail == Detail::kCues) &&
-               seed_ % 3 == 1) ||
+              ((hasImageLines(detail) || detail == Detail::kCues) && seed_ % 3 == 1) ||
               (detail == Detail::kExaggerated && seed_ % 3 == 1)
           ? makeBumpySphere(random, *mesh)
       : detail == Detail::kHulls ? makeSolids(random, *mesh)
@@ -321,8 +330,7 @@ void RandomScene::addMesh(Random& random, Detail detail)
                 detail == Detail::kTranslucent || detail == Detail::kTones ||
                 detail == Detail::kDataTones || detail == Detail::kLines ||
                 detail == Detail::kHatching || detail == Detail::kExaggerated ||
-                detail == Detail::kImageLines || detail == Detail::kIdBorders ||
-                detail == Detail::kCues) &&
+                hasImageLines(detail) || detail == Detail::kCues) &&
                seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
@@ -709,6 +717,16 @@ void RandomScene::addImageLines()
     style.outlineOpacity = random.chance(2) ? 1 : number(0, 1);
     // Facets would be nothing but creases.
     if (!random.chance(4)) style.normals = NormalSource::kVertex;
+  }
+}
+
+void RandomScene::addCreaseDetectors()
+{
+  Random random(seed_ ^ 0xC4EA5Eu);
+  for (Instance& instance : instances_) {
+    ImageOutline& outline = instance.style.imageOutline;
+    outline.creases = static_cast<CreaseDetector>(random.below(3));
+    if (random.chance(2)) outline.creaseDegrees = static_cast<float>(random.between(0, 60));
   }
 }
 

@@ -101,6 +101,7 @@ class RandomScene {
     kLines,        ///< as kAny, kFine or kCoarse, with lines of all kinds
     kHatching,     ///< as kTones, with hatching alone
     kImageLines,   ///< as kAny, kFine or kCoarse, most with lines from the picture
+    kCreases,      ///< likewise, by every way to find creases
     kIdBorders,    ///< likewise with ids of cells, most with borders between them
     kCues,         ///< likewise with depth cues, some with lines from the picture as well
     kExaggerated,  ///< as kTones, with exaggerated shading alone, half of it over colours of data
@@ -130,6 +131,7 @@ class RandomScene {
   void addExaggeration();
   void addHulls();
   void addImageLines();
+  void addCreaseDetectors();
   void addIds();
   void addCues();
   void joinTextures();

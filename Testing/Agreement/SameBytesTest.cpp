@@ -27,8 +27,9 @@ constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 422314681313311824u;
 constexpr std::uint64_t kHashOfImageLines = 223056381221696186u;
+constexpr std::uint64_t kHashOfCreases = 8908716711278579718u;
 constexpr std::uint64_t kHashOfIdBorders = 10322215869986217783u;
-constexpr std::uint64_t kHashOfCues = 13063806535809854760u;
+constexpr std::uint64_t kHashOfCues = 18335197691739853185u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 14800548386128781990u;
 constexpr std::uint64_t kHashOfDataTones = 5431401692603874508u;
@@ -146,6 +147,13 @@ TEST_P(SameBytes, ImageLinesHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kImageLines);
   std::cout << "kHashOfImageLines " << hash << '\n';
   EXPECT_EQ(hash, kHashOfImageLines);
+}
+
+TEST_P(SameBytes, CreasesHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kCreases);
+  std::cout << "kHashOfCreases " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfCreases);
 }
 
 TEST_P(SameBytes, BordersOfIdsHaveTheKnownHash)

@@ -484,6 +484,114 @@ TEST_P(DepthCuesOn, HalosCutPartsOfOneMeshAndLinesBehind)
   }
 }
 
+/// One straight stroke, as an instance borrows it.
+struct Stroke {
+  std::vector<Vec3f> points;
+  std::vector<std::uint32_t> vertex = {0, 1}, first = {0, 2};
+  std::vector<LineSet> sets;
+
+  Stroke(Vec3d from, Vec3d to, float width) : points{vec3Cast<float>(from), vec3Cast<float>(to)}
+  {
+    LineStyle style;
+    style.color = {1, 0, 0};
+    style.width = width;
+    sets.push_back({{points, {}, {}}, vertex, first, {}, {}, style});
+  }
+  Stroke(const Stroke&) = delete;
+  Stroke& operator=(const Stroke&) = delete;
+};
+
+TEST_P(DepthCuesOn, HalosCutStrokesOfOtherInstancesBehind)
+{
+  const OwnedMesh beam = sheet({-9, 28, 20}, {90, 0, 0}, {0, 8, 0});
+  const OwnedMesh post = sheet({28, -9, 60}, {8, 0, 0}, {0, 90, 0});
+  // Along the lower side of the beam: half of it lies over the background.
+  const Stroke far({-9, 28, 20}, {81, 28, 20}, 4), own({28, -9, 60}, {28, 81, 60}, 2);
+  Stage stage = flatStage(64, 1);
+  stage.instances = {painted(beam, {0, 0, 1}), painted(post, {0, 0, 1})};
+  stage.instances[0].lines = far.sets;
+  stage.instances[1].lines = own.sets;
+  stage.instances[1].style.cues.halo = {3, 4, {0, 1, 0}};
+  const Picture picture = drawOver(stage, GetParam());
+  for (const int y : {26, 27, 28, 29}) {
+    for (const int x : {23, 24, 39, 40})
+      EXPECT_EQ(at(picture, x, y).r, 255) << x << ", " << y;
+    for (const int x : {25, 26, 36, 37, 38})
+      EXPECT_LE(at(picture, x, y).r, kBackground.r) << x << ", " << y;
+  }
+  EXPECT_TRUE(areEqual(at(picture, 26, 27), kBackground)) << "halos colour no background";
+  for (const int y : {10, 27, 31, 50})
+    for (const int x : {27, 28})
+      EXPECT_EQ(at(picture, x, y).r, 255) << "the post's own at " << x << ", " << y;
+}
+
+TEST_P(DepthCuesOn, HalosCutHiddenStrokesBehind)
+{
+  const OwnedMesh wall = sheet({-9, -9, 10}, {90, 0, 0}, {0, 90, 0});
+  const OwnedMesh post = sheet({28, -9, 60}, {8, 0, 0}, {0, 90, 0});
+  Stroke far({-9, 30, 5}, {81, 30, 5}, 4);
+  far.sets[0].style.hidden = HiddenLines::kThin;
+  Stage stage = flatStage(64, 1);
+  stage.instances = {painted(wall, {0, 0, 1}), painted(post, {0, 0, 1})};
+  stage.instances[0].lines = far.sets;
+  stage.instances[1].style.cues.halo = {3, 4, {0, 1, 0}};
+  const Picture picture = drawOver(stage, GetParam());
+  for (const int x : {23, 24, 30, 39})
+    EXPECT_EQ(at(picture, x, 30).r, 255) << x;
+  for (const int x : {25, 26, 27, 36, 37, 38})
+    EXPECT_EQ(at(picture, x, 30).r, 0) << x;
+}
+
+TEST_P(DepthCuesOn, HalosCutStrokesOfTheirOwnInstanceFarBehind)
+{
+  const std::vector<Vec3d> points = {{4, 4, 0},    {60, 4, 0},   {60, 60, 0},  {4, 4, 0},
+                                     {60, 60, 0},  {4, 60, 0},   {20, 20, 60}, {44, 20, 60},
+                                     {44, 44, 60}, {20, 20, 60}, {44, 44, 60}, {20, 44, 60}};
+  const OwnedMesh mesh = soup(points);
+  const Stroke behind({4, 32, 0}, {60, 32, 0}, 2), border({20, 20, 60}, {20, 44, 60}, 2);
+  Stage stage = flatStage(64, 1);
+  stage.instances = {painted(mesh, {0, 0, 1})};
+  stage.instances[0].style.cues.halo = {3, 4, {0, 1, 0}};
+  const std::vector<LineSet> sets = {behind.sets[0], border.sets[0]};
+  stage.instances[0].lines = sets;
+  const Picture picture = drawOver(stage, GetParam());
+  for (const int x : {10, 16, 19, 20, 47, 50})
+    EXPECT_EQ(at(picture, x, 31).r, 255) << x;
+  for (const int x : {17, 44, 45, 46})
+    EXPECT_EQ(at(picture, x, 31).r, 0) << x;
+
+  const OwnedMesh square = sheet({20, 20, 60}, {24, 0, 0}, {0, 24, 0});
+  stage.instances[0] = painted(square, {0, 0, 1});
+  stage.instances[0].style.cues.halo = {3, 4, {0, 1, 0}};
+  stage.instances[0].lines = behind.sets;
+  EXPECT_TRUE(areEqual(at(drawOver(stage, GetParam()), 18, 31), kBackground)) << "on no surface";
+}
+
+// Its contour lies nine pixels behind what the last pixels before it show.
+TEST_P(DepthCuesOn, HalosLeaveTheContourOfASphere)
+{
+  Stage stage;
+  stage.width = stage.height = 96;
+  stage.view = parallelView({0, 0, 8}, {0, 0, 0}, 1.2, {1, 20});
+  std::vector<Vec3f> points;
+  std::vector<std::uint32_t> vertex, first = {0};
+  for (std::uint32_t i = 0; i < 360; ++i) {
+    const double angle = i * kPi / 180;
+    points.push_back(vec3Cast<float>(Vec3d{std::cos(angle), std::sin(angle), 0}));
+    vertex.push_back(i);
+  }
+  vertex.push_back(0);
+  first.push_back(static_cast<std::uint32_t>(vertex.size()));
+  LineStyle style;
+  style.width = 3;
+  const std::vector<LineSet> sets = {{{points, {}, {}}, vertex, first, {}, {}, style}};
+  stage.instances = {painted(fineSphere(), {0, 0, 1})};
+  stage.instances[0].lines = sets;
+  const Picture plain = drawOver(stage, GetParam());
+  stage.instances[0].style.cues.halo = {4, 0.25f, {0, 1, 0}};
+  EXPECT_EQ(drawOver(stage, GetParam()).differingPixels(plain), 0u);
+}
+
 TEST_P(DepthCuesOn, TranslucentInstancesHaveNone)
 {
   const Steps steps(48, 10);

@@ -291,6 +291,62 @@ TEST_P(ImageOutlines, PutCreasesInTheMiddle)
   }
 }
 
+/// Flat strips across the picture, `width` wide, with normals at `degrees` to the right of the eye,
+/// from left to right; the first and the last reach over its borders.
+OwnedMesh strips(const std::vector<double>& degrees, double width)
+{
+  OwnedMesh mesh;
+  const double first = 32 - 0.5 * width * static_cast<double>(degrees.size() - 2);
+  for (std::size_t i = 0; i < degrees.size(); ++i) {
+    const double left = i == 0 ? -40 : first + width * static_cast<double>(i - 1);
+    const double right = i + 1 == degrees.size() ? 104 : first + width * static_cast<double>(i);
+    const double angle = degrees[i] * kPi / 180;
+    const auto vertex = static_cast<std::uint32_t>(mesh.positions.size());
+    for (const auto& [x, y] :
+         {std::pair{left, -40.0}, {right, -40.0}, {right, 104.0}, {left, 104.0}}) {
+      mesh.positions.push_back(vec3Cast<float>(Vec3d{x, y, 0}));
+      mesh.vertexNormals.push_back(vec3Cast<float>(Vec3d{std::sin(angle), 0, std::cos(angle)}));
+    }
+    mesh.triangles.push_back({{vertex, vertex + 1, vertex + 2}});
+    mesh.triangles.push_back({{vertex, vertex + 2, vertex + 3}});
+  }
+  finish(mesh);
+  return mesh;
+}
+
+TEST_P(ImageOutlines, FindSharpCreasesByEveryDetector)
+{
+  for (const CreaseDetector detector :
+       {CreaseDetector::kAngle, CreaseDetector::kSobel, CreaseDetector::kLaplacian})
+    for (const double turn : {39.0, 41.0}) {
+      const OwnedMesh mesh = strips({-turn / 2, turn / 2}, 1);
+      Stage stage = flatStage(64, 1);
+      stage.instances = {outlined(mesh, 2)};
+      stage.instances[0].style.normals = NormalSource::kVertex;
+      stage.instances[0].style.imageOutline.creases = detector;
+      const Picture picture = drawOverWhite(stage, GetParam());
+      for (const int x : {30, 31, 32, 33}) {
+        const bool isLine = turn > 40 && (x == 31 || x == 32);
+        EXPECT_EQ(at(picture, x, 32).g, isLine ? 0 : 255)
+            << x << " by " << static_cast<int>(detector) << " of " << turn;
+      }
+      stage.instances[0].style.imageOutline.creaseDegrees = 180;
+      EXPECT_EQ(at(drawOverWhite(stage, GetParam()), 31, 32).g, 255);
+    }
+}
+
+// Each of its pixels turns by 25 degrees from the one before.
+TEST_P(ImageOutlines, FindBevelsOfTwoPixelsBySobelsOperator)
+{
+  const OwnedMesh mesh = strips({-25, 0, 25}, 1);
+  Stage stage = flatStage(64, 1);
+  stage.instances = {outlined(mesh, 2)};
+  stage.instances[0].style.normals = NormalSource::kVertex;
+  EXPECT_EQ(at(drawOverWhite(stage, GetParam()), 32, 32).g, 255) << "25 degrees are no crease";
+  stage.instances[0].style.imageOutline.creases = CreaseDetector::kSobel;
+  EXPECT_EQ(at(drawOverWhite(stage, GetParam()), 32, 32).g, 0) << "50 within two pixels are";
+}
+
 // A wall that rises by ten pixels within each pixel of the picture leaves the floor's plane by more
 // than a step does.
 TEST_P(ImageOutlines, DrawALineWhereASteepWallStandsOnAFloor)

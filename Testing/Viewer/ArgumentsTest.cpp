@@ -643,6 +643,8 @@ TEST(Arguments, ValuesOfImageLinesHaveTheirRanges)
     "--outline-crease-angle=181 is not between 0 and 180 degrees");
   EXPECT_EQ(renderErrorOf({ image, "--outline-detector=canny" }),
     "--outline-detector=canny is unknown; choose one of: plane, sobel, laplacian");
+  EXPECT_EQ(renderErrorOf({ image, "--outline-crease-detector=plane" }),
+    "--outline-crease-detector=plane is unknown; choose one of: angle, sobel, laplacian");
 }
 
 TEST(Arguments, ResolutionMustBePositiveAndBounded)
@@ -712,7 +714,8 @@ TEST(Arguments, OptionsThatNeedOrExcludeEachOther)
       option.substr(0, option.find('=')) + " needs --outline=normal, hull or image");
   }
   for (const std::string option :
-    { "--outline-detector=sobel", "--outline-tolerance=2", "--outline-crease-angle=30" })
+    { "--outline-detector=sobel", "--outline-tolerance=2", "--outline-crease-angle=30",
+      "--outline-crease-detector=sobel" })
   {
     EXPECT_EQ(renderErrorOf({ option, "--outline=normal" }),
       option.substr(0, option.find('=')) + " needs --outline=image");
@@ -893,7 +896,8 @@ TEST(Arguments, HelpListsEveryServedOption)
       "--toon-ramp-range", "--matcap", "--hatch-spacing", "--hatch-darkest", "--hatch-ink",
       "--hatch-paper", "--hatch-on", "--exaggeration-contrast", "--exaggeration-exponent",
       "--exaggeration-base", "--exaggeration-levels", "--exaggeration-scale", "--hatch-width",
-      "--outline-detector", "--outline-tolerance", "--outline-crease-angle", "--outline-ids",
+      "--outline-detector", "--outline-tolerance", "--outline-crease-angle",
+      "--outline-crease-detector", "--outline-ids",
       "--output-normals", "--output-depth", "--output-ids", "--coloring-array", "--colormap",
       "--coloring-range", "--samples", "--backface-culling", "--threads", "--window", "--stats" })
   {

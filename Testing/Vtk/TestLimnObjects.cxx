@@ -120,6 +120,7 @@ void checkPropertyCopy()
   property->SetOutlineDetectorToLaplacian();
   property->SetOutlineDepthTolerance(1.5);
   property->SetOutlineCreaseAngle(25);
+  property->SetOutlineCreaseDetectorToSobel();
   property->OutlineIdsOn();
   property->SetOutlineColor(1, 0, 1);
   property->SetOutlineOpacity(0.6);
@@ -214,6 +215,7 @@ void checkPropertyCopy()
   CHECK_EQUAL(copy->GetOutlineDetectorAsString(), std::string("Laplacian"));
   CHECK_EQUAL(copy->GetOutlineDepthTolerance(), 1.5);
   CHECK_EQUAL(copy->GetOutlineCreaseAngle(), 25.0);
+  CHECK_EQUAL(copy->GetOutlineCreaseDetectorAsString(), std::string("Sobel"));
   CHECK(copy->GetOutlineIds());
 
   property->SetShadingFrequency(99);

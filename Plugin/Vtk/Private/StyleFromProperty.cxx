@@ -279,6 +279,19 @@ float outlineWidthOf(vtkLimnProperty* property)
   }
 }
 
+CreaseDetector creaseDetectorOf(vtkLimnProperty* property)
+{
+  switch (property->GetOutlineCreaseDetector())
+  {
+    case vtkLimnProperty::CREASES_BY_SOBEL:
+      return CreaseDetector::kSobel;
+    case vtkLimnProperty::CREASES_BY_LAPLACIAN:
+      return CreaseDetector::kLaplacian;
+    default:
+      return CreaseDetector::kAngle;
+  }
+}
+
 void setImageOutline(vtkLimnProperty* property, Style& style)
 {
   ImageOutline& outline = style.imageOutline;
@@ -295,6 +308,7 @@ void setImageOutline(vtkLimnProperty* property, Style& style)
   }
   outline.depthTolerance = static_cast<float>(property->GetOutlineDepthTolerance());
   outline.creaseDegrees = static_cast<float>(property->GetOutlineCreaseAngle());
+  outline.creases = creaseDetectorOf(property);
   outline.ids = property->GetOutlineIds();
 }
 

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Lines/HaloCut.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace limn {
+
+HaloBorder::HaloBorder(const Scene& scene, const SurfaceLayers& layers, std::size_t index)
+{
+  const Halo& halo = scene.instances[layers.instance[index]].style.cues.halo;
+  const ViewPoint point = layers.pointAt(index);
+  distance = -point.position.z;
+  width = halo.width;
+  full = halo.depth * halo.width * point.pixel;
+  covered = static_cast<float>(layers.countAt(index)) / static_cast<float>(scene.samples);
+}
+
+float HaloBorder::widthOver(float other) const
+{
+  const float behind = other - distance;
+  if (!(behind > 0.0f)) return 0.0f;
+  const float t = behind < full ? behind / full : 1.0f;
+  return width * ((t * t) * (3.0f - 2.0f * t));
+}
+
+float HaloBorder::shareOf(float haloWidth, float dx, float dy) const
+{
+  const float fromBorder = std::sqrt(dx * dx + dy * dy) - (covered - 0.5f);
+  const float unbounded = haloWidth + 0.5f - fromBorder;
+  return unbounded < 1.0f ? unbounded : 1.0f;
+}
+
+/// How much nearer the surface gets, at most, that ends in a pixel, within the next one.
+float HaloCut::riseAt(std::size_t owner) const
+{
+  const auto columns = static_cast<std::size_t>(layers_.width);
+  const int x = static_cast<int>(owner % columns), y = static_cast<int>(owner / columns);
+  const float own = layers_.pointAt(owner).position.z;
+  float most = 0.0f;
+  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, layers_.height - 1); ++row)
+    for (int column = std::max(x - 1, 0); column <= std::min(x + 1, layers_.width - 1); ++column) {
+      if (layers_.instance[layers_.indexOf(column, row)] != layers_.instance[owner]) continue;
+      most = std::max(most, layers_.pointAt(column, row).position.z - own);
+    }
+  return most;
+}
+
+float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
+{
+  const std::size_t index = layers_.indexOf(x, y);
+  if (!(layers_.halo[index] > 0.0f)) return 0.0f;
+  const std::size_t owner = layers_.haloOwner[index];
+  const HaloBorder border(scene_, layers_, owner);
+  float distance = std::numeric_limits<float>::max();
+  if (depth <= 1.0f) {
+    const Vec2f centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+    distance = -layers_.toView->at(centre.x, centre.y, depth).position.z;
+  }
+  if (instance == layers_.instance[owner] &&
+      !(distance - border.distance > border.full + Halo::kHorizon * riseAt(owner)))
+    return 0.0f;
+  const auto columns = static_cast<std::size_t>(layers_.width);
+  const int dx = x - static_cast<int>(owner % columns), dy = y - static_cast<int>(owner / columns);
+  const float width = border.widthOver(distance);
+  if (width == 0.0f) return 0.0f;
+  const float share = border.shareOf(width, static_cast<float>(dx), static_cast<float>(dy));
+  return share > 0.0f ? share : 0.0f;
+}
+
+}  // namespace limn

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Lines/SurfaceLayers.h"
+
+#include <cstddef>
+#include <cstdint>
+
+namespace limn {
+
+/// A pixel in which a surface with a halo ends.
+struct HaloBorder {
+  float distance;     ///< along the gaze
+  float width, full;  ///< of the halo, in pixels: that from the difference of distances `full` on
+  float covered;      ///< share of the pixel
+
+  HaloBorder(const Scene& scene, const SurfaceLayers& layers, std::size_t index);
+
+  /// How wide the halo is over what lies so far; 0: none.
+  float widthOver(float other) const;
+  /// The share of a pixel that a halo so wide has, (dx, dy) pixels away; below 0: none.
+  float shareOf(float haloWidth, float dx, float dy) const;
+};
+
+/// What halos leave of strokes. A stroke of another instance is cut as a surface would be that
+/// lies as far; one of the same instance by the whole width where it lies behind by that of the
+/// whole width and kHorizon times what the surface rises within its last pixel: the contour of a
+/// rounded surface lies far behind the last pixel that shows it.
+class HaloCut {
+ public:
+  /// Requires: SurfaceLayers::halo and haloOwner.
+  HaloCut(const Scene& scene, const SurfaceLayers& layers) : scene_(scene), layers_(layers) {}
+
+  /// The share of a stroke's pixel that is cut. `depth` is the window's; above 1 where hidden.
+  float shareAt(int x, int y, float depth, std::uint32_t instance) const;
+
+ private:
+  float riseAt(std::size_t owner) const;
+
+  const Scene& scene_;
+  const SurfaceLayers& layers_;
+};
+
+}  // namespace limn
