@@ -282,6 +282,9 @@ Status checkSmoothNormals(const Instance& instance, MeshSizes sizes, InstanceNam
       !(a.smoothRatio >= 1 && a.smoothRatio <= kMaxSmoothRatio))
     return {Error::kNotFinite,
             name + ": its smooth normals have to be of 1 to 8 levels, their ratio 1 to 16."};
+  if (!a.smoothOfCorner.empty())
+    return checkSize(a.smoothOfCorner.size(), 3 * sizes.triangles, name,
+                     ": smooth normals of corners");
   return checkSize(a.smoothNormals.size(),
                    sizes.vertices * static_cast<std::size_t>(a.smoothLevels), name,
                    ": smooth normals");

@@ -230,8 +230,12 @@ struct Attributes {
   /// see splitVertexNormals(). Required to be numbers of such that are there. Empty: that of the
   /// vertex.
   Span<const std::uint32_t> normalOfCorner = {};
-  /// For Tone::kExaggerated: SmoothNormals, smoothLevels of them a vertex.
+  /// For Tone::kExaggerated: SmoothNormals, smoothLevels of them a vertex or, with smoothOfCorner,
+  /// any number of times so many.
   Span<const std::uint32_t> smoothNormals = {};
+  /// Three a triangle: which of smoothNormals its corners have, so that a vertex may have several.
+  /// Required to be numbers of such that are there. Empty: those of the vertex.
+  Span<const std::uint32_t> smoothOfCorner = {};
   int smoothLevels = 0;   ///< 1 to kMaxSmoothLevels, if there are any
   float smoothRatio = 1;  ///< from a level's sigma to the next, 1 to kMaxSmoothRatio
   /// For ImageOutline::ids, per cell: what it is a part of. Empty: all of them are of one.

@@ -399,9 +399,12 @@ public:
    * each scale is lit by light that grazes the surface as the next coarser one has it. Its cosine
    * is magnified by ExaggerationContrast and clamped; scales are weighed by their size to the power
    * of ExaggerationExponent, so that above 0 large shapes count more and below fine detail; and
-   * ExaggerationBase is the share of the plain light of the coarsest normal. The normals are
-   * computed when the mesh changes, and take 4 bytes a point and level. The light is best
-   * perpendicular to the gaze, as ToneLight UpperRight is. Defaults: 10, 0, 0.4, 5, 0.06.
+   * ExaggerationBase is the share of the plain light of the coarsest normal. Normals are apart on
+   * the two sides of edges sharper than FeatureAngle or, where that is 180, CreaseAngle, but for
+   * those that the data's normals say to be smooth; so flat faces have no detail. The normals are
+   * computed when the mesh changes, and take 4 bytes a point and level, and where there are sharp
+   * edges 24 for each triangle. The light is best perpendicular to the gaze, as ToneLight
+   * UpperRight is. Defaults: 10, 0, 0.4, 5, 0.06.
    */
   vtkSetClampMacro(ExaggerationContrast, double, 0.0, 1000.0);
   vtkGetMacro(ExaggerationContrast, double);
@@ -739,7 +742,8 @@ public:
   ///@{
   /**
    * In degrees, 0 to 180, for CreaseLines, ContourLines, TerminatorLines and ShadowLines, which no
-   * smooth surface has right where it turns away from the light. Default: 40.
+   * smooth surface has right where it turns away from the light, for HatchLines and for the tone
+   * Exaggerated. Default: 40.
    */
   vtkSetClampMacro(CreaseAngle, double, 0.0, 180.0);
   vtkGetMacro(CreaseAngle, double);

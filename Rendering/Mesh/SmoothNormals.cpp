@@ -6,7 +6,6 @@
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
 #include "Rendering/Mesh/EdgeTable.h"
-#include "Rendering/Mesh/VertexNormals.h"
 
 #include <algorithm>
 #include <memory>
@@ -24,9 +23,97 @@ constexpr double kFastestRate = 6;
 /// Chebyshev's coefficients that are left out, by their sum.
 constexpr double kLeftOut = 1e-3;
 
+/// Which corners of triangles share their normals, by numbers: those in one place do, but for
+/// where creases part them.
+class Numbering {
+ public:
+  Numbering(const SmoothedSurface& surface, const EdgeTable& table, double creaseDegrees,
+            int threads)
+      : mesh_(surface.mesh), table_(table), count_(surface.mesh.vertexCount())
+  {
+    if (creaseDegrees >= 180) return;
+    FeatureArrays arrays;
+    arrays.cells = surface.cells;
+    arrays.vertexNormals = surface.normals;
+    const unsigned wanted = surface.normals.empty() ? kCreaseEdge : kCreaseEdge | kNormalEdge;
+    std::vector<std::uint8_t> kinds = edgeKinds(mesh_, table, arrays, creaseDegrees, threads);
+    bool isAny = false;
+    for (std::uint8_t& one : kinds) {
+      one = (one & wanted) == wanted ? 1 : 0;
+      isAny = isAny || one != 0;
+    }
+    if (isAny) part(kinds);
+  }
+
+  bool isParted() const { return !ofCorner_.empty(); }
+  std::size_t count() const { return count_; }
+  /// Requires: the corner's vertex is there.
+  std::uint32_t operator()(std::uint32_t corner) const
+  {
+    return isParted() ? ofCorner_[corner]
+                      : table_.place[mesh_.triangles[corner / 3].vertex[corner % 3]];
+  }
+  static std::uint32_t next(std::uint32_t corner)
+  {
+    return corner % 3 == 2 ? corner - 2 : corner + 1;
+  }
+  /// The corner of an edge's second face where its first one sets out along it.
+  std::uint32_t facing(std::size_t e) const
+  {
+    const std::uint32_t other = table_.edges[e].corner[1];
+    return table_.woundAlike[e] != 0 ? next(other) : other;
+  }
+  /// Likewise where the first one arrives.
+  std::uint32_t facingEnd(std::size_t e) const
+  {
+    const std::uint32_t other = table_.edges[e].corner[1];
+    return table_.woundAlike[e] != 0 ? other : next(other);
+  }
+  std::vector<std::uint32_t> take() { return std::move(ofCorner_); }
+
+ private:
+  /// Joins corners over edges that are no creases.
+  void part(const std::vector<std::uint8_t>& isCrease)
+  {
+    ofCorner_.resize(3 * mesh_.triangles.size());
+    std::iota(ofCorner_.begin(), ofCorner_.end(), 0u);
+    for (std::size_t e = 0; e < table_.edges.size(); ++e) {
+      const MeshEdge& edge = table_.edges[e];
+      if (!edge.isShared() || isCrease[e] != 0) continue;
+      join(edge.corner[0], facing(e));
+      join(next(edge.corner[0]), facingEnd(e));
+    }
+    // A root is the lowest of its corners, so that those before have their number.
+    std::uint32_t number = 0;
+    for (std::uint32_t corner = 0; corner < ofCorner_.size(); ++corner) {
+      const std::uint32_t root = ofCorner_[corner];
+      ofCorner_[corner] = root == corner ? number++ : ofCorner_[root];
+    }
+    count_ = number;
+  }
+  std::uint32_t rootOf(std::uint32_t corner)
+  {
+    while (ofCorner_[corner] != corner) {
+      ofCorner_[corner] = ofCorner_[ofCorner_[corner]];
+      corner = ofCorner_[corner];
+    }
+    return corner;
+  }
+  void join(std::uint32_t a, std::uint32_t b)
+  {
+    const std::uint32_t x = rootOf(a), y = rootOf(b);
+    ofCorner_[std::max(x, y)] = std::min(x, y);
+  }
+
+  const MeshView& mesh_;
+  const EdgeTable& table_;
+  std::size_t count_;
+  std::vector<std::uint32_t> ofCorner_;  ///< empty: by place
+};
+
 /// One step towards the mean of the neighbours: B = 1 - L / fastest rate.
 struct Stencil {
-  std::vector<std::uint32_t> first;  ///< by vertex
+  std::vector<std::uint32_t> first;  ///< by number
   Array<std::uint32_t> neighbour;
   Array<float> weight;  ///< of neighbours; the vertex has what is missing to 1
 };
@@ -34,23 +121,25 @@ struct Stencil {
 /// What of the heat flow a mesh is.
 class HeatFlow {
  public:
-  HeatFlow(const MeshView& mesh, const EdgeTable& table, int threads)
-      : mesh_(mesh), table_(table), threads_(threads)
+  HeatFlow(const MeshView& mesh, const EdgeTable& table, const Numbering& numbering, int threads)
+      : mesh_(mesh), table_(table), numbering_(numbering), threads_(threads)
   {
     addAreas();
-    addConductances();
+    addLinks();
     makeStencil();
   }
 
   Stencil takeStencil() { return std::move(stencil_); }
-  /// Vertices, those in one place counted once.
+  /// Vertices, those that share their normals counted once.
   std::size_t count() const { return count_; }
 
  private:
-  std::uint32_t placeOf(std::uint32_t corner) const
-  {
-    return table_.place[mesh_.triangles[corner / 3].vertex[corner % 3]];
-  }
+  /// What lets heat flow between two numbers.
+  struct Link {
+    std::uint32_t end[2];
+    double conductance;
+  };
+
   Vec3d cornerPosition(std::uint32_t corner) const
   {
     return mesh_.position(mesh_.triangles[corner / 3].vertex[corner % 3]);
@@ -58,9 +147,9 @@ class HeatFlow {
 
   void addAreas()
   {
-    area_.assign(mesh_.vertexCount(), 0.0);
-    for (const Triangle& triangle : mesh_.triangles) {
-      const auto [a, b, c] = triangle.vertex;
+    area_.assign(numbering_.count(), 0.0);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const auto [a, b, c] = mesh_.triangles[t].vertex;
       const std::size_t vertices = mesh_.vertexCount();
       if (a >= vertices || b >= vertices || c >= vertices) continue;
       const Vec3d p = mesh_.position(a);
@@ -68,8 +157,8 @@ class HeatFlow {
       if (!isFinite(across)) continue;
       const double area = 0.5 * std::sqrt(dot(across, across));
       total_ += area;
-      for (const std::uint32_t v : triangle.vertex)
-        area_[table_.place[v]] += area / 3;
+      for (std::uint32_t k = 0; k < 3; ++k)
+        area_[numbering_(static_cast<std::uint32_t>(3 * t) + k)] += area / 3;
     }
     for (const double area : area_)
       count_ += area > 0;
@@ -90,25 +179,40 @@ class HeatFlow {
     return 0.5 * std::min(std::max(cotangent, -kMost), kMost);
   }
   /// Negative ones, across edges that another cut of the surface would not have, count as none.
-  void addConductances()
+  static double conducting(double sum) { return sum > 0 ? sum : 0; }
+  /// One an edge, and one more for the second side of each where the two are apart.
+  void addLinks()
   {
-    conductance_.assign(table_.edges.size(), 0.0);
-    parallelForEach(threads_, conductance_.size(), kPerTask, [&](std::size_t e) {
-      const MeshEdge& edge = table_.edges[e];
-      double sum = halfCotangent(edge.corner[0]);
-      if (edge.isShared()) sum += halfCotangent(edge.corner[1]);
-      conductance_[e] = sum > 0 ? sum : 0;
+    links_.resize(table_.edges.size());
+    parallelForEach(threads_, links_.size(), kPerTask, [&](std::size_t e) {
+      const std::uint32_t corner = table_.edges[e].corner[0];
+      double sum = halfCotangent(corner);
+      if (table_.edges[e].isShared() && !isApart(e))
+        sum += halfCotangent(table_.edges[e].corner[1]);
+      links_[e] = {{numbering_(corner), numbering_(Numbering::next(corner))}, conducting(sum)};
     });
+    if (!numbering_.isParted()) return;
+    for (std::size_t e = 0; e < table_.edges.size(); ++e)
+      if (table_.edges[e].isShared() && isApart(e))
+        links_.push_back({{numbering_(numbering_.facing(e)), numbering_(numbering_.facingEnd(e))},
+                          conducting(halfCotangent(table_.edges[e].corner[1]))});
+  }
+  bool isApart(std::size_t e) const
+  {
+    if (!numbering_.isParted()) return false;
+    const std::uint32_t corner = table_.edges[e].corner[0];
+    return numbering_(corner) != numbering_(numbering_.facing(e)) ||
+           numbering_(Numbering::next(corner)) != numbering_(numbering_.facingEnd(e));
   }
 
   void makeStencil()
   {
-    const std::size_t vertices = mesh_.vertexCount();
-    std::vector<double> sum(vertices, 0.0);
-    stencil_.first.assign(vertices + 1, 0);
-    for (std::size_t e = 0; e < conductance_.size(); ++e)
-      for (const std::uint32_t v : table_.edges[e].vertex) {
-        sum[v] += conductance_[e];
+    const std::size_t numbers = numbering_.count();
+    std::vector<double> sum(numbers, 0.0);
+    stencil_.first.assign(numbers + 1, 0);
+    for (const Link& link : links_)
+      for (const std::uint32_t v : link.end) {
+        sum[v] += link.conductance;
         ++stencil_.first[v + 1];
       }
     std::partial_sum(stencil_.first.begin(), stencil_.first.end(), stencil_.first.begin());
@@ -121,22 +225,24 @@ class HeatFlow {
       return rate < 1.0 ? rate : 1.0;
     };
     std::vector<std::uint32_t> next(stencil_.first.begin(), stencil_.first.end() - 1);
-    for (std::size_t e = 0; e < conductance_.size(); ++e)
+    for (const Link& link : links_)
       for (int side = 0; side < 2; ++side) {
-        const std::uint32_t v = table_.edges[e].vertex[side];
-        stencil_.neighbour[next[v]] = table_.edges[e].vertex[1 - side];
+        const std::uint32_t v = link.end[side];
+        stencil_.neighbour[next[v]] = link.end[1 - side];
         stencil_.weight[next[v]] =
-            sum[v] > 0 ? static_cast<float>(share(v) * (conductance_[e] / sum[v])) : 0.0f;
+            sum[v] > 0 ? static_cast<float>(share(v) * (link.conductance / sum[v])) : 0.0f;
         ++next[v];
       }
   }
 
   const MeshView& mesh_;
   const EdgeTable& table_;
+  const Numbering& numbering_;
   int threads_;
   double total_ = 0;
   std::size_t count_ = 0;
-  std::vector<double> area_, conductance_;
+  std::vector<double> area_;
+  std::vector<Link> links_;
   Stencil stencil_;
 };
 
@@ -164,22 +270,34 @@ std::vector<double> heatCoefficients(double z)
 
 using Field = Array<Vec3f>;
 
-/// Unit, by place.
-Field normalsOfPlaces(const MeshView& mesh, Span<const Vec3f> normals,
-                      const std::vector<std::uint32_t>& place)
+/// Unit, by number.
+Field normalsByNumber(const SmoothedSurface& surface, const EdgeTable& table,
+                      const Numbering& numbering)
 {
-  std::vector<Vec3f> own;
-  if (normals.empty()) {
-    std::vector<Triangle> welded(mesh.triangles.begin(), mesh.triangles.end());
-    for (Triangle& triangle : welded)
-      for (std::uint32_t& v : triangle.vertex)
-        v = v < place.size() ? place[v] : v;
-    own = vertexNormals({mesh.positions, mesh.precisePositions, welded}, NormalWeight::kArea);
-    normals = own;
+  const MeshView& mesh = surface.mesh;
+  const std::size_t vertices = mesh.vertexCount();
+  Field field(numbering.count(), Vec3f{0, 0, 0});
+  if (!surface.normals.empty() && !numbering.isParted())
+    for (std::size_t v = 0; v < vertices; ++v)
+      field[table.place[v]] = field[table.place[v]] + normalized(surface.normals[v]);
+  std::vector<Vec3d> areas(surface.normals.empty() ? field.size() : 0, Vec3d{0, 0, 0});
+  const bool readsCorners = !areas.empty() || numbering.isParted();
+  for (std::size_t t = 0; readsCorners && t < mesh.triangles.size(); ++t) {
+    const auto [a, b, c] = mesh.triangles[t].vertex;
+    if (a >= vertices || b >= vertices || c >= vertices) continue;
+    const Vec3d p = mesh.position(a);
+    const Vec3d area = cross(mesh.position(b) - p, mesh.position(c) - p);
+    if (!isFinite(area)) continue;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const std::uint32_t number = numbering(static_cast<std::uint32_t>(3 * t) + k);
+      if (areas.empty())
+        field[number] = field[number] + normalized(surface.normals[mesh.triangles[t].vertex[k]]);
+      else
+        areas[number] = areas[number] + area;
+    }
   }
-  Field field(mesh.vertexCount(), Vec3f{0, 0, 0});
-  for (std::size_t v = 0; v < field.size(); ++v)
-    field[place[v]] = field[place[v]] + normalized(normals[v]);
+  for (std::size_t i = 0; i < areas.size(); ++i)
+    field[i] = normalized(vec3Cast<float>(normalized(areas[i])));
   for (Vec3f& normal : field)
     normal = isFinite(normal) ? normalized(normal) : Vec3f{0, 0, 0};
   return field;
@@ -252,13 +370,15 @@ std::uint32_t packedNormal(Vec3d normal)
   return bits(x) | bits(y) << 16;
 }
 
-Status smoothNormals(const MeshView& mesh, Span<const Vec3f> normals, const SmoothScales& scales,
-                     int threads, SmoothNormals& smooth)
+Status smoothNormals(const SmoothedSurface& surface, const SmoothScales& scales, int threads,
+                     SmoothNormals& smooth)
 {
   smooth = {};
+  const MeshView& mesh = surface.mesh;
   EdgeTable table;
   if (Status status = buildEdgeTable(mesh, 0, threads, table); !status.ok()) return status;
-  auto flow = std::make_unique<HeatFlow>(mesh, table, threads);
+  Numbering numbering(surface, table, scales.creaseDegrees, threads);
+  auto flow = std::make_unique<HeatFlow>(mesh, table, numbering, threads);
   const std::size_t count = flow->count();
   const Stencil stencil = flow->takeStencil();
   flow.reset();
@@ -274,12 +394,16 @@ Status smoothNormals(const MeshView& mesh, Span<const Vec3f> normals, const Smoo
     sigma *= static_cast<double>(smooth.ratio);
   }
   const std::vector<Field> fields =
-      spread(stencil, normalsOfPlaces(mesh, normals, table.place), coefficients, threads);
+      spread(stencil, normalsByNumber(surface, table, numbering), coefficients, threads);
   smooth.levels = scales.levels;
-  smooth.packed.resize(mesh.vertexCount() * levels);
-  parallelForEach(threads, mesh.vertexCount(), kPerTask, [&](std::size_t v) {
+  const bool isParted = numbering.isParted();
+  smooth.ofCorner = numbering.take();
+  const std::size_t numbers = isParted ? numbering.count() : mesh.vertexCount();
+  smooth.packed.resize(numbers * levels);
+  parallelForEach(threads, numbers, kPerTask, [&](std::size_t v) {
+    const std::size_t number = isParted ? v : table.place[v];
     for (std::size_t i = 0; i < levels; ++i)
-      smooth.packed[v * levels + i] = packedNormal(vec3Cast<double>(fields[i][table.place[v]]));
+      smooth.packed[v * levels + i] = packedNormal(vec3Cast<double>(fields[i][number]));
   });
   return {};
 }

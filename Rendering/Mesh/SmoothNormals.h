@@ -36,16 +36,30 @@ struct SmoothScales {
   int levels = 5;  ///< 1 to kMaxSmoothLevels
   /// sigma of the coarsest level as a share of the square root of the mesh's area, above 0.
   float coarsest = 0.06f;
+  /// Nothing is spread over edges whose two faces' normals are farther apart, 0 to 180.
+  double creaseDegrees = 180;
 
   bool operator==(const SmoothScales& other) const
   {
-    return levels == other.levels && coarsest == other.coarsest;
+    return levels == other.levels && coarsest == other.coarsest &&
+           creaseDegrees == other.creaseDegrees;
   }
 };
 
-/// Normals at several scales: of vertex v those at v * levels, the finest first.
+/// What normals are smoothed on.
+struct SmoothedSurface {
+  MeshView mesh;
+  /// One a vertex, of any length. Empty: area-weighted ones.
+  Span<const Vec3f> normals = {};
+  Span<const std::uint32_t> cells = {};  ///< as in Attributes; no crease is inside of a cell
+};
+
+/// Normals at several scales: of number i those at i * levels, the finest first.
 struct SmoothNormals {
   std::vector<std::uint32_t> packed;
+  /// Three a triangle: the number of each corner's, Attributes::smoothOfCorner. Empty, as where
+  /// there are no creases: that of its vertex.
+  std::vector<std::uint32_t> ofCorner;
   int levels = 0;
   /// From sigma to the next level's. That of the finest level is the mean distance of neighbours,
   /// (2 A / (sqrt(3) V))^1/2 of a mesh of area A and V vertices.
@@ -59,11 +73,13 @@ struct SmoothNormals {
 /// neighbours to `coarsest`, but the ratio is at least sqrt(2) and the coarsest at most 32
 /// distances. Where vertices lie much denser than in the mean, the deviation is less.
 ///
-/// Vertices in one place have one normal. It is that of `normals`, one a vertex, or where there are
-/// none the area-weighted normal. Triangles as for vertexNormals(). The same bits on any number of
-/// threads. While it runs it takes 150 to 200 bytes a vertex.
+/// Vertices in one place have one normal, but for where creases part the triangles about it, so
+/// that a flat face between them keeps its own at all scales. Where normals are given, an edge is a
+/// crease only if they differ on its two sides: else they say that it is smooth. Triangles as for
+/// vertexNormals(). The same bits on any number of threads. While it runs it takes 150 to 200 bytes
+/// a vertex.
 /// Errors: those of buildEdgeTable().
-Status smoothNormals(const MeshView& mesh, Span<const Vec3f> normals, const SmoothScales& scales,
-                     int threads, SmoothNormals& smooth);
+Status smoothNormals(const SmoothedSurface& surface, const SmoothScales& scales, int threads,
+                     SmoothNormals& smooth);
 
 }  // namespace limn

@@ -601,7 +601,11 @@ class Face {
     std::vector<Vec3f> normals;
     for (std::size_t i = 0; i < levels; ++i) {
       const auto corner = [&](int k) {
-        return unpackedNormal(data.smoothNormals[triangle_.vertex[k] * levels + i]);
+        const std::size_t number = data.smoothOfCorner.empty()
+                                       ? triangle_.vertex[k]
+                                       : data.smoothOfCorner[std::size_t{3} * point_.triangle +
+                                                             static_cast<std::size_t>(k)];
+        return unpackedNormal(data.smoothNormals[number * levels + i]);
       };
       normals.push_back(facing(mix(point_, corner(0), corner(1), corner(2))));
     }

@@ -84,16 +84,17 @@ class Gatherer {
       const VI vertex = indices(mesh_.vertex.data(), corner_[k] + i);
       hn::Store(vertex, DI(), vertex_[k] + i);
       if (normals_ != NormalSource::kVertex) continue;
-      hn::Store(splitNormals_ ? normalsOfCorners(k, i) : vertex, DI(), normal_[k] + i);
+      hn::Store(splitNormals_ ? ofCorners(data_.normalOfCorner, k, i) : vertex, DI(),
+                normal_[k] + i);
       for (std::size_t lane = 0; lane < hn::Lanes(DI()); ++lane)
         hwy::Prefetch(data_.vertexNormals.data() + normal_[k][i + lane]);
     }
   }
-  VI normalsOfCorners(int k, std::size_t i) const
+  VI ofCorners(Span<const std::uint32_t> numbers, int k, std::size_t i) const
   {
     const VI triangle = indices(mesh_.triangle.data(), hn::Load(DI(), place_ + i));
     const VI first = hn::Add(triangle, hn::Add(triangle, triangle));
-    return indices(data_.normalOfCorner.data(), hn::Add(first, hn::Set(DI(), k)));
+    return indices(numbers.data(), hn::Add(first, hn::Set(DI(), k)));
   }
   HWY_INLINE void gatherPositions(int k, std::size_t i) const
   {
@@ -118,8 +119,12 @@ class Gatherer {
     if (uv_.set[0]) storePairs(data_.uv.data(), vertex, batch_.cornerUv[0][k], i);
     if (uv_.set[1]) storePairs(data_.uv2.data(), vertex, batch_.cornerUv[1][k], i);
   }
-  HWY_NOINLINE void gatherSmoothNormals(std::size_t count) const
+  /// Last of what is read by vertex: it may put other numbers in the place of theirs.
+  HWY_NOINLINE void gatherSmoothNormals(std::size_t count)
   {
+    for (std::size_t i = 0; !data_.smoothOfCorner.empty() && i < count; i += hn::Lanes(DI()))
+      for (int k = 0; k < 3; ++k)
+        hn::Store(ofCorners(data_.smoothOfCorner, k, i), DI(), vertex_[k] + i);
     const auto* const from = reinterpret_cast<const std::int32_t*>(data_.smoothNormals.data());
     for (std::size_t i = 0; i < count; i += hn::Lanes(DI()))
       for (int k = 0; k < 3; ++k)

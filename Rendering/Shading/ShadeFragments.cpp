@@ -135,10 +135,17 @@ class BatchFiller {
     if (uv_.set[0]) batch_.cornerUv[0][k].set(i, data_.uv[vertex]);
     if (uv_.set[1]) batch_.cornerUv[1][k].set(i, data_.uv2[vertex]);
     for (int level = 0; level < smoothLevels_; ++level)
-      batch_.smoothNormal[level][k].set(
-          i, unpackedNormal(
-                 data_.smoothNormals[std::size_t{vertex} * static_cast<std::size_t>(smoothLevels_) +
-                                     static_cast<std::size_t>(level)]));
+      batch_.smoothNormal[level][k].set(i, smoothNormal(vertex, triangle, k, level));
+  }
+
+  Vec3f smoothNormal(std::uint32_t vertex, std::uint32_t triangle, int k, int level) const
+  {
+    const std::size_t number =
+        data_.smoothOfCorner.empty()
+            ? vertex
+            : data_.smoothOfCorner[std::size_t{3} * triangle + static_cast<std::size_t>(k)];
+    return unpackedNormal(data_.smoothNormals[number * static_cast<std::size_t>(smoothLevels_) +
+                                              static_cast<std::size_t>(level)]);
   }
 
   void setColor(Rgba8 color, int k, int i) const

@@ -210,6 +210,14 @@ TEST_P(EveryTarget, ExaggeratesLikeTheReference)
   EXPECT_GT(changedPixels, 500000u / stride()) << "exaggeration must show";
 }
 
+TEST_P(EveryTarget, ExaggeratesAtCreasesLikeTheReference)
+{
+  std::size_t changedPixels = 0;
+  ASSERT_NO_FATAL_FAILURE(
+      compareChanges(RandomScene::Detail::kCreasedExaggeration, 120, stride(), changedPixels));
+  EXPECT_GT(changedPixels, 200000u / stride()) << "exaggeration must show";
+}
+
 TEST_P(EveryTarget, TonesColorsOfDataLikeTheReference)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};

@@ -44,6 +44,12 @@ Mat4d parallel(double halfHeight, double aspect, double near, double far)
            {0, 0, 0, 1}}};
 }
 
+bool isExaggeration(RandomScene::Detail detail)
+{
+  return detail == RandomScene::Detail::kExaggerated ||
+         detail == RandomScene::Detail::kCreasedExaggeration;
+}
+
 enum class Shape { kSoup, kSlivers, kGrid, kCoincident, kHuge, kTiny, kShapes };
 
 void addTriangle(OwnedMesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c)
@@ -267,7 +273,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
     addLines(Random(seed ^ 0x11E5u));
   const bool isShaded = detail == Detail::kShaders;
   const bool isHatched = detail == Detail::kHatching;
-  const bool isExaggerated = detail == Detail::kExaggerated;
+  const bool isExaggerated = isExaggeration(detail);
   const bool isToned = detail == Detail::kTones || isHatched || isExaggerated;
   const bool isTranslucent = detail == Detail::kTranslucent || detail == Detail::kFineTranslucent ||
                              (isToned && seed % 5 == 2);
@@ -279,7 +285,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (isHatched)
     addHatching();
   else if (isExaggerated)
-    addExaggeration();
+    addExaggeration(detail);
   else if (isToned)
     addTones();
   if (detail == Detail::kDataTones) addDataTones();
@@ -322,16 +328,15 @@ void RandomScene::addMesh(Random& random, Detail detail)
               (detail == Detail::kHulls && seed_ % 8 == 0) ||
               (detail == Detail::kLines && seed_ % 5 == 0) ||
               ((hasImageLines(detail) || detail == Detail::kCues) && seed_ % 3 == 1) ||
-              (detail == Detail::kExaggerated && seed_ % 3 == 1)
+              (isExaggeration(detail) && seed_ % 3 == 1)
           ? makeBumpySphere(random, *mesh)
       : detail == Detail::kHulls ? makeSolids(random, *mesh)
-      : detail == Detail::kCoarse ||
-              ((detail == Detail::kTextures || detail == Detail::kShaders ||
-                detail == Detail::kTranslucent || detail == Detail::kTones ||
-                detail == Detail::kDataTones || detail == Detail::kLines ||
-                detail == Detail::kHatching || detail == Detail::kExaggerated ||
-                hasImageLines(detail) || detail == Detail::kCues) &&
-               seed_ % 2 == 0)
+      : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
+                                       detail == Detail::kTranslucent || detail == Detail::kTones ||
+                                       detail == Detail::kDataTones || detail == Detail::kLines ||
+                                       detail == Detail::kHatching || isExaggeration(detail) ||
+                                       hasImageLines(detail) || detail == Detail::kCues) &&
+                                      seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
@@ -603,19 +608,22 @@ void RandomScene::addHatching()
   }
 }
 
-void RandomScene::addExaggeration()
+void RandomScene::addExaggeration(Detail detail)
 {
-  Random random(seed_ ^ 0xE4A66E8u);
+  const bool isCreased = detail == Detail::kCreasedExaggeration;
+  Random random(seed_ ^ (isCreased ? 0xC4EA5Eu : 0xE4A66E8u));
   const auto number = [&](double low, double high) {
     return static_cast<float>(random.between(low, high));
   };
   if (random.chance(2)) addDataTones();
   for (const auto& mesh : meshes_) {
-    const SmoothScales scales = {1 + static_cast<int>(random.below(kMaxSmoothLevels)),
-                                 random.chance(12) ? number(0.1, 3) : number(0.001, 0.1)};
+    SmoothScales scales = {1 + static_cast<int>(random.below(kMaxSmoothLevels)),
+                           random.chance(12) ? number(0.1, 3) : number(0.001, 0.1)};
+    if (isCreased) scales.creaseDegrees = random.between(0, 90);
     const Span<const Vec3f> normals =
         random.chance(2) ? Span<const Vec3f>(mesh->vertexNormals) : Span<const Vec3f>();
-    if (!limn::smoothNormals(mesh->view(), normals, scales, 2, mesh->smoothNormals).ok())
+    if (!limn::smoothNormals({mesh->view(), normals, mesh->cells}, scales, 2, mesh->smoothNormals)
+             .ok())
       std::abort();
   }
   if (random.chance(4)) addNormals(random);
@@ -623,6 +631,7 @@ void RandomScene::addExaggeration()
     for (const auto& mesh : meshes_) {
       if (instance.clusters != &mesh->clusters) continue;
       instance.attributes.smoothNormals = mesh->smoothNormals.packed;
+      instance.attributes.smoothOfCorner = mesh->smoothNormals.ofCorner;
       instance.attributes.smoothLevels = mesh->smoothNormals.levels;
       instance.attributes.smoothRatio = mesh->smoothNormals.ratio;
     }

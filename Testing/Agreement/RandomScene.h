@@ -105,6 +105,7 @@ class RandomScene {
     kIdBorders,    ///< likewise with ids of cells, most with borders between them
     kCues,         ///< likewise with depth cues, some with lines from the picture as well
     kExaggerated,  ///< as kTones, with exaggerated shading alone, half of it over colours of data
+    kCreasedExaggeration,  ///< likewise with normals of scales that are apart at creases
   };
   explicit RandomScene(std::uint32_t seed, Detail detail = Detail::kAny);
 
@@ -128,7 +129,7 @@ class RandomScene {
   void addTones();
   void addDataTones();
   void addHatching();
-  void addExaggeration();
+  void addExaggeration(Detail detail);
   void addHulls();
   void addImageLines();
   void addCreaseDetectors();

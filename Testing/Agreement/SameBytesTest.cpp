@@ -35,6 +35,7 @@ constexpr std::uint64_t kHashOfTones = 14800548386128781990u;
 constexpr std::uint64_t kHashOfDataTones = 5431401692603874508u;
 constexpr std::uint64_t kHashOfHatching = 5579474759704979671u;
 constexpr std::uint64_t kHashOfExaggeration = 11666835032273646675u;
+constexpr std::uint64_t kHashOfCreasedExaggeration = 14925927265410701023u;
 constexpr std::uint64_t kHashOfHulls = 12766414417319064616u;
 
 /// FNV-1a, 64 bits.
@@ -203,6 +204,13 @@ TEST_P(SameBytes, ExaggerationHasTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kExaggerated);
   std::cout << "kHashOfExaggeration " << hash << '\n';
   EXPECT_EQ(hash, kHashOfExaggeration);
+}
+
+TEST_P(SameBytes, ExaggerationAtCreasesHasTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kCreasedExaggeration);
+  std::cout << "kHashOfCreasedExaggeration " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfCreasedExaggeration);
 }
 
 TEST_P(SameBytes, HullsHaveTheKnownHash)

@@ -313,6 +313,12 @@ const Mistake kInstanceMistakes[] = {
        giveSmoothNormals(i);
        i.instance().attributes.smoothNormals = shortened(i.instance().attributes.smoothNormals);
      }},
+    {"SmoothNormalsOfCornersTooFew", Error::kSizeMismatch, "smooth normals of corners",
+     [](Input& i) {
+       static const std::uint32_t one[] = {0};
+       giveSmoothNormals(i);
+       i.instance().attributes.smoothOfCorner = {one, 1};
+     }},
     {"SmoothNormalsWithoutLevels", Error::kNotFinite, "levels",
      [](Input& i) {
        giveSmoothNormals(i);

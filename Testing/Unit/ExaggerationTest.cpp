@@ -3,7 +3,9 @@
 //
 // Exaggerated shading: normals at several scales against the heat equation's own answers, and what
 // is seen against the paper's formula.
+#include "Rendering/Mesh/EdgeTable.h"
 #include "Rendering/Mesh/SmoothNormals.h"
+#include "Testing/Unit/Polyhedra.h"
 #include "Testing/Unit/TestScene.h"
 
 #include <algorithm>
@@ -16,7 +18,7 @@ namespace {
 SmoothNormals smoothed(const OwnedMesh& mesh, const SmoothScales& scales = {}, int threads = 2)
 {
   SmoothNormals smooth;
-  const Status status = smoothNormals(mesh.view(), {}, scales, threads, smooth);
+  const Status status = smoothNormals({mesh.view()}, scales, threads, smooth);
   EXPECT_TRUE(status.ok()) << status.message;
   return smooth;
 }
@@ -24,7 +26,7 @@ SmoothNormals smoothed(const OwnedMesh& mesh, const SmoothScales& scales = {}, i
 SmoothNormals smoothedExactly(const OwnedMesh& mesh, const SmoothScales& scales)
 {
   SmoothNormals smooth;
-  const Status status = smoothNormals(mesh.view(), mesh.vertexNormals, scales, 2, smooth);
+  const Status status = smoothNormals({mesh.view(), mesh.vertexNormals}, scales, 2, smooth);
   EXPECT_TRUE(status.ok()) << status.message;
   return smooth;
 }
@@ -168,9 +170,163 @@ TEST(SmoothNormals, DoNotSeeScalePlaceNorHowVerticesAreShared)
 TEST(SmoothNormals, AreTheSameOnAnyNumberOfThreads)
 {
   const OwnedMesh& mesh = fineSphere();
-  const SmoothNormals one = smoothed(mesh, {3, 0.02f}, 1);
-  for (const int threads : {2, 3, 8})
-    EXPECT_EQ(smoothed(mesh, {3, 0.02f}, threads).packed, one.packed) << threads;
+  for (const double creaseDegrees : {180.0, 1.0}) {
+    const SmoothScales scales = {3, 0.02f, creaseDegrees};
+    const SmoothNormals one = smoothed(mesh, scales, 1);
+    EXPECT_EQ(one.ofCorner.empty(), creaseDegrees == 180);
+    for (const int threads : {2, 3, 8}) {
+      EXPECT_EQ(smoothed(mesh, scales, threads).packed, one.packed) << threads;
+      EXPECT_EQ(smoothed(mesh, scales, threads).ofCorner, one.ofCorner) << threads;
+    }
+  }
+}
+
+/// The cube from -1 to 1 in squares, its vertices shared by all faces or, with normals, by those of
+/// one alone.
+OwnedMesh boxOfSquares(bool hasNormals)
+{
+  constexpr std::uint32_t kCells = 6;
+  OwnedMesh box;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double side : {-1.0, 1.0}) {
+      Vec3d n = {0, 0, 0}, u = n, v = n;
+      (axis == 0 ? n.x : axis == 1 ? n.y : n.z) = side;
+      (axis == 0 ? u.y : axis == 1 ? u.z : u.x) = 2;
+      v = cross(n, u);
+      const OwnedMesh face = sheet(n - u * 0.5 - v * 0.5, u, v, kCells);
+      const auto first = static_cast<std::uint32_t>(box.positions.size());
+      box.positions.insert(box.positions.end(), face.positions.begin(), face.positions.end());
+      box.vertexNormals.resize(box.positions.size(), vec3Cast<float>(n));
+      for (const Triangle& t : face.triangles)
+        box.triangles.push_back({{first + t.vertex[0], first + t.vertex[1], first + t.vertex[2]}});
+    }
+  if (hasNormals) return box;
+  EdgeTable table;
+  EXPECT_TRUE(buildEdgeTable(box.view(), 0, 1, table).ok());
+  for (Triangle& triangle : box.triangles)
+    for (std::uint32_t& v : triangle.vertex)
+      v = table.place[v];
+  box.vertexNormals = vertexNormals(box.view(), NormalWeight::kArea);
+  return box;
+}
+
+/// Calls visit(triangle, its plane's normal, that of a level at its corner).
+template <class Visit>
+void forEachCorner(const OwnedMesh& mesh, const SmoothNormals& smooth, const Visit& visit)
+{
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& vertex = mesh.triangles[t].vertex;
+    const Vec3d p = mesh.view().position(vertex[0]);
+    const Vec3d plane =
+        normalized(cross(mesh.view().position(vertex[1]) - p, mesh.view().position(vertex[2]) - p));
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int level = 0; level < smooth.levels; ++level)
+        visit(t, plane,
+              normalAt(smooth, smooth.ofCorner.empty() ? vertex[k] : smooth.ofCorner[3 * t + k],
+                       level));
+  }
+}
+
+TEST(SmoothNormals, OfACubeApartAtItsEdgesAreItsFacesOwn)
+{
+  const OwnedMesh box = boxOfSquares(false), loose = boxOfSquares(true);
+  const SmoothScales scales = {8, 0.3f, 40};
+  std::size_t corners = 0;
+  const auto isFacesOwn = [&](std::size_t t, Vec3d plane, Vec3d normal) {
+    ASSERT_LT(apart(normal, plane), 1e-9) << t;
+    ++corners;
+  };
+  forEachCorner(box, smoothed(box, scales), isFacesOwn);
+  forEachCorner(loose, smoothed(loose, scales), isFacesOwn);
+  forEachCorner(loose, smoothedExactly(loose, scales), isFacesOwn);
+  EXPECT_EQ(corners, 3u * 6 * 72 * 3 * 8);
+  // Six faces of their own vertices.
+  EXPECT_EQ(smoothed(box, scales).packed.size(), 6u * 49 * 8);
+  // Nothing else holds an edge together.
+  std::size_t bent = 0;
+  forEachCorner(box, smoothed(box, {8, 0.3f, 95}), [&](std::size_t, Vec3d plane, Vec3d normal) {
+    bent += apart(plane, normal) > 0.01;
+  });
+  EXPECT_GT(bent, 6u * 72 * 3);
+}
+
+TEST(SmoothNormals, GivenOnesSayWhereSharpEdgesAreSmooth)
+{
+  const OwnedMesh box = boxOfSquares(false);
+  const SmoothScales scales = {4, 0.05f, 40};
+  const SmoothNormals smooth = smoothedExactly(box, scales);
+  EXPECT_TRUE(smooth.ofCorner.empty());
+  EXPECT_EQ(smooth.packed, smoothedExactly(box, {4, 0.05f}).packed);
+}
+
+TEST(SmoothNormals, OfSmoothSurfacesDoNotChangeByWhatWouldBeACrease)
+{
+  const OwnedMesh& sphere = fineSphere();
+  EXPECT_EQ(smoothed(sphere, {5, 0.06f, 40}).packed, smoothed(sphere).packed);
+  EXPECT_TRUE(smoothed(sphere, {5, 0.06f, 40}).ofCorner.empty());
+  const OwnedMesh waves = Waves{12, 0.05}.mesh(30);
+  EXPECT_EQ(smoothed(waves, {5, 0.06f, 40}).packed, smoothed(waves).packed);
+}
+
+/// z = h (sin(k x) + sin(k y)) for x > 0, and a wall below its border x = 0.
+struct WavesAtAWall {
+  static constexpr double kHeight = 0.01, kWave = 12;
+  static constexpr std::uint32_t kCells = 60;
+  OwnedMesh mesh;
+
+  explicit WavesAtAWall(bool isWallFirst)
+  {
+    const auto waves = [](double s, double t) {
+      const double z = kHeight * (std::sin(2 * kWave * s) + std::sin(kWave * (2 * t - 1)));
+      return vec3Cast<float>(Vec3d{2 * s, 2 * t - 1, z});
+    };
+    const auto wall = [](double s, double t) {
+      const double z = kHeight * std::sin(kWave * (2 * t - 1));
+      return vec3Cast<float>(Vec3d{0, 2 * t - 1, z + 2 * s - 2});
+    };
+    for (const bool isWall : {isWallFirst, !isWallFirst}) {
+      const Polyhedron part = isWall ? grid(kCells, kCells, wall) : grid(kCells, kCells, waves);
+      const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+      for (const Vec3f& p : part.positions) {
+        mesh.positions.push_back(p);
+        mesh.vertexNormals.push_back(vec3Cast<float>(isWall ? Vec3d{-1, 0, 0} : normal(p, 1)));
+      }
+      for (const Triangle& t : part.triangles)
+        mesh.triangles.push_back({{first + t.vertex[0], first + t.vertex[1], first + t.vertex[2]}});
+    }
+  }
+  static Vec3d normal(Vec3f p, double fade)
+  {
+    const double slope = kHeight * kWave * fade;
+    return normalized(Vec3d{-slope * std::cos(kWave * static_cast<double>(p.x)),
+                            -slope * std::cos(kWave * static_cast<double>(p.y)), 1});
+  }
+};
+
+TEST(SmoothNormals, OfAWaveBehindACreaseFadeAsBeforeAMirror)
+{
+  // The slopes are even about x = 0: no heat would flow over it if the waves went on.
+  for (const bool isWallFirst : {false, true}) {
+    const OwnedMesh mesh = WavesAtAWall(isWallFirst).mesh;
+    const SmoothNormals smooth = smoothedExactly(mesh, {4, 0.03f, 40});
+    constexpr double kSide = WavesAtAWall::kCells + 1, kWave = WavesAtAWall::kWave;
+    double sigma = std::sqrt(8 / (std::sqrt(3.0) * kSide * kSide));
+    for (int level = 0; level < smooth.levels; ++level) {
+      for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        for (std::size_t k = 0; k < 3; ++k) {
+          const std::uint32_t v = mesh.triangles[t].vertex[k];
+          const Vec3f p = mesh.positions[v];
+          const bool isWall = mesh.vertexNormals[v].x < -0.9f;
+          if (std::fabs(p.y) > 0.4f || p.x > 0.8f || p.z < -0.8f) continue;
+          const Vec3d n = normalAt(smooth, smooth.ofCorner[3 * t + k], level);
+          const Vec3d expected =
+              isWall ? Vec3d{-1, 0, 0}
+                     : WavesAtAWall::normal(p, std::exp(-kWave * kWave * sigma * sigma / 2));
+          ASSERT_LT(apart(n, expected), isWall ? 1e-4 : 0.0025) << level << ' ' << p.x;
+        }
+      sigma *= static_cast<double>(smooth.ratio);
+    }
+  }
 }
 
 TEST(SmoothNormals, TakeNormalsThatAreGivenAndBrokenMeshes)
@@ -178,7 +334,7 @@ TEST(SmoothNormals, TakeNormalsThatAreGivenAndBrokenMeshes)
   OwnedMesh mesh = sheet({-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, 8);
   const std::vector<Vec3f> down(mesh.positions.size(), Vec3f{0, 0, -3});
   SmoothNormals smooth;
-  ASSERT_TRUE(smoothNormals(mesh.view(), down, {2, 0.05f}, 1, smooth).ok());
+  ASSERT_TRUE(smoothNormals({mesh.view(), down}, {2, 0.05f}, 1, smooth).ok());
   for (std::size_t v = 0; v < mesh.positions.size(); ++v)
     EXPECT_EQ(normalAt(smooth, v, 1), (Vec3d{0, 0, -1}));
   // One vertex nowhere, a triangle without a vertex, one without an area.
@@ -206,6 +362,7 @@ struct ExaggeratedStage {
     stage.instances = {instanceOf(mesh)};
     instance().style.tone = Tone::kExaggerated;
     instance().attributes.smoothNormals = smooth.packed;
+    instance().attributes.smoothOfCorner = smooth.ofCorner;
     instance().attributes.smoothLevels = smooth.levels;
     instance().attributes.smoothRatio = smooth.ratio;
     Light light;
@@ -249,6 +406,36 @@ TEST_P(Exaggerations, ASphereHasItsBaseAsAllItsNormalsAreOne)
   // Half of the contrast's share times what the normals of scales are off.
   expectPicture(sphere.stage, draw(sphere.stage), hitSphere, tone,
                 kRounding + kFacets + 255 * 0.5 * 2e-3);
+}
+
+TEST_P(Exaggerations, EachFaceOfACubeHasOneColorWhereItsEdgesAreSharp)
+{
+  OwnedMesh box = boxOfSquares(false);
+  finish(box);
+  const Vec3d l = normalized(Vec3d{0.3, -0.7, 0.9});
+  ExaggeratedStage cube(box, l, {5, 0.1f, 40});
+  SplitNormals split;
+  ASSERT_TRUE(splitVertexNormals(box.view(), {}, NormalWeight::kArea, 40, 1, split).ok());
+  cube.stage.view = perspectiveView({3, -4, 3.5}, {0, 0, 0}, 30);
+  Attributes& attributes = cube.instance().attributes;
+  attributes.vertexNormals = split.normals;
+  attributes.normalOfCorner = split.ofCorner;
+  for (const ShadingFrequency frequency :
+       {ShadingFrequency::kPhong, ShadingFrequency::kGouraud, ShadingFrequency::kFlat}) {
+    cube.instance().style.frequency = frequency;
+    const Picture picture = draw(cube.stage);
+    std::size_t seen = 0;
+    for (std::size_t i = 0; i < picture.color.size(); ++i) {
+      if (picture.coverage[i] == 0) continue;
+      const auto& vertex = box.triangles[picture.cell[i]].vertex;
+      const Vec3d p = box.view().position(vertex[0]);
+      const Vec3d n =
+          normalized(cross(box.view().position(vertex[1]) - p, box.view().position(vertex[2]) - p));
+      ASSERT_NEAR(picture.color[i].g, 255 * (0.4 * (0.5 + 0.5 * dot(n, l)) + 0.3), kRounding + 0.1);
+      ++seen;
+    }
+    EXPECT_GT(seen, 1000u);
+  }
 }
 
 TEST_P(Exaggerations, WithoutContrastOnlyTheBaseIsLeft)

@@ -18,6 +18,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <set>
+
 namespace
 {
 const Pixel Black = { 0, 0, 0 };
@@ -419,6 +421,77 @@ vtkSmartPointer<vtkPolyData> roof()
   return data;
 }
 
+/// Six faces on eight points.
+vtkSmartPointer<vtkPolyData> sharedCube()
+{
+  vtkNew<vtkPoints> points;
+  for (int i = 0; i < 8; ++i)
+  {
+    points->InsertNextPoint(i & 1, i >> 1 & 1, i >> 2);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const std::array<vtkIdType, 4>& face : { std::array<vtkIdType, 4>{ 0, 2, 3, 1 },
+         { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } })
+  {
+    addCell(cells, { face[0], face[1], face[2], face[3] });
+  }
+  vtkSmartPointer<vtkPolyData> data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return data;
+}
+
+/// Where edges are sharp each face has one colour, whether points are shared and have normals or
+/// not.
+void checkExaggerationEndsAtSharpEdges()
+{
+  vtkNew<vtkCubeSource> source;
+  source->Update();
+  const auto colorsOf = [](vtkPolyData* data, double crease, double feature)
+  {
+    Stage stage;
+    stage.Window->SetMultiSamples(0);
+    stage.Mapper->SetInputData(data);
+    stage.Renderer->GetActiveCamera()->SetPosition(3, 2, 4);
+    stage.Renderer->ResetCamera();
+    auto* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+    property->SetShadingFrequencyToPhong();
+    property->SetToneToExaggerated();
+    property->SetToneLightToUpperRight();
+    property->SetCreaseAngle(crease);
+    property->SetFeatureAngle(feature);
+    const Picture picture = render(stage.Window);
+    std::set<Pixel> colors;
+    for (int y = 0; y < picture.Height; ++y)
+    {
+      for (int x = 0; x < picture.Width; ++x)
+      {
+        colors.insert(picture.At(x, y));
+      }
+    }
+    return static_cast<int>(colors.size());
+  };
+  const vtkSmartPointer<vtkPolyData> shared = sharedCube();
+  for (vtkPolyData* data : { shared.Get(), source->GetOutput() })
+  {
+    CHECK_EQUAL(colorsOf(data, 40, 180), 4);
+    CHECK_EQUAL(colorsOf(data, 180, 40), 4);
+  }
+  CHECK(colorsOf(shared, 100, 180) > 10);
+  CHECK(colorsOf(shared, 40, 100) > 10);
+  // Normals of the data say where an edge is smooth.
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < 8; ++i)
+  {
+    const double* const p = shared->GetPoint(i);
+    normals->InsertNextTuple3(p[0] - 0.5, p[1] - 0.5, p[2] - 0.5);
+  }
+  shared->GetPointData()->SetNormals(normals);
+  CHECK(colorsOf(shared, 40, 180) > 10);
+  CHECK_EQUAL(colorsOf(shared, 180, 40), 4);
+}
+
 int ridgeOf(vtkPolyData* data, void (*arrange)(vtkLimnProperty*))
 {
   Stage stage;
@@ -580,6 +653,7 @@ int TestLimnSurfaces(int, char*[])
   checkManyNormalsOfOneMapper();
   checkFlatPoints();
   checkTones();
+  checkExaggerationEndsAtSharpEdges();
   checkLocalModels();
   checkPolygonsAndStrips();
   checkPointTypes();

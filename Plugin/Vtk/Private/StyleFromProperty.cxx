@@ -706,8 +706,10 @@ SurfaceNeeds needsOf(vtkProperty* property)
   if (limn && limn->GetTone() == vtkLimnProperty::TONE_EXAGGERATED && !limn->GetSurfaceShader())
   {
     needs.smoothNormals = true;
+    const double feature = limn->GetFeatureAngle();
     needs.smoothScales = { limn->GetExaggerationLevels(),
-      static_cast<float>(limn->GetExaggerationScale()) };
+      static_cast<float>(limn->GetExaggerationScale()),
+      feature < 180 ? feature : limn->GetCreaseAngle() };
   }
   return needs;
 }

@@ -172,8 +172,8 @@ Status SurfaceMesh::computeSmoothNormals(const SmoothVersion& version, int threa
 {
   auto smooth = std::make_shared<SmoothNormals>();
   const Span<const Vec3f> given = version.normals ? this->givenNormals() : Span<const Vec3f>();
-  if (const Status status =
-        limn::smoothNormals(this->view(), given, version.scales, threads, *smooth);
+  if (const Status status = limn::smoothNormals(
+        { this->view(), given, surface_.cells }, version.scales, threads, *smooth);
       !status.ok())
   {
     return status;
@@ -186,53 +186,83 @@ Status SurfaceMesh::computeSmoothNormals(const SmoothVersion& version, int threa
   return {};
 }
 
-Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
+Status SurfaceMesh::supplySmoothNormals(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
 {
+  smooth_.reset();
+  if (!needs.smoothNormals)
+  {
+    return {};
+  }
+  const SmoothVersion version = this->smoothVersionOf(data, needs);
+  if (!this->isKept(version))
+  {
+    this->keepTriangles(data, threads);
+    if (const Status status = this->computeSmoothNormals(version, threads); !status.ok())
+    {
+      return status;
+    }
+  }
+  const auto chosen = std::find_if(smoothed_.begin(), smoothed_.end(),
+    [&](const Smoothed& one) { return one.version == version; });
+  std::rotate(chosen, chosen + 1, smoothed_.end());
+  smooth_ = smoothed_.back().normals;
+  return {};
+}
+
+Status SurfaceMesh::supplyNormals(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
+{
+  normals_.reset();
   // Points that were moved without their normals need new ones.
   const bool readsNormals = needs.vertexNormals || (this->isMoved() && this->hasPointNormals());
-  const bool computesNormals =
-    readsNormals && (!needs.normals.fromData || this->givenNormals().empty());
-  const bool lacksNormals = computesNormals && !this->isKept(needs.normals);
-  const bool lacksFaces = needs.faceGeometry && faces_.centroid.empty();
-  const bool lacksCorners = needs.firstCorners && firstCorners_.empty();
-  const SmoothVersion smoothVersion = this->smoothVersionOf(data, needs);
-  const bool lacksSmooth = needs.smoothNormals && !this->isKept(smoothVersion);
-  const bool lacksTriangles = surface_.triangles.empty() && !this->isEmpty();
-  const bool keepsTriangles = needs.triangles || needs.hull;
-  if (lacksTriangles &&
-      (lacksNormals || lacksFaces || lacksCorners || lacksSmooth || keepsTriangles))
+  if (!readsNormals || (needs.normals.fromData && !this->givenNormals().empty()))
+  {
+    return {};
+  }
+  NormalChoice choice = needs.normals;
+  if (smooth_ && !smooth_->ofCorner.empty())
+  {
+    // Else what runs over an edge in these alone would show as detail.
+    choice.featureDegrees = std::min(choice.featureDegrees, needs.smoothScales.creaseDegrees);
+  }
+  if (!this->isKept(choice))
+  {
+    this->keepTriangles(data, threads);
+    if (const Status status = this->computeNormals(choice, threads); !status.ok())
+    {
+      return status;
+    }
+  }
+  const auto chosen = std::find_if(
+    computed_.begin(), computed_.end(), [&](const Computed& one) { return one.choice == choice; });
+  std::rotate(chosen, chosen + 1, computed_.end());
+  normals_ = computed_.back().normals;
+  return {};
+}
+
+void SurfaceMesh::keepTriangles(vtkPolyData* data, int threads)
+{
+  if (surface_.triangles.empty() && !this->isEmpty())
   {
     surface_ = trianglesFromPolyData(data, threads);
   }
-  if (lacksNormals)
+}
+
+Status SurfaceMesh::supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads)
+{
+  const bool lacksFaces = needs.faceGeometry && faces_.centroid.empty();
+  const bool lacksCorners = needs.firstCorners && firstCorners_.empty();
+  const bool keepsTriangles = needs.triangles || needs.hull;
+  if (lacksFaces || lacksCorners || keepsTriangles)
   {
-    if (const Status status = this->computeNormals(needs.normals, threads); !status.ok())
-    {
-      return status;
-    }
+    this->keepTriangles(data, threads);
   }
-  normals_.reset();
-  if (computesNormals)
+  if (const Status status = this->supplySmoothNormals(data, needs, threads); !status.ok())
   {
-    const auto chosen = std::find_if(computed_.begin(), computed_.end(),
-      [&](const Computed& one) { return one.choice == needs.normals; });
-    std::rotate(chosen, chosen + 1, computed_.end());
-    normals_ = computed_.back().normals;
+    return status;
   }
-  if (lacksSmooth)
+  if (const Status status = this->supplyNormals(data, needs, threads); !status.ok())
   {
-    if (const Status status = this->computeSmoothNormals(smoothVersion, threads); !status.ok())
-    {
-      return status;
-    }
-  }
-  smooth_.reset();
-  if (needs.smoothNormals)
-  {
-    const auto chosen = std::find_if(smoothed_.begin(), smoothed_.end(),
-      [&](const Smoothed& one) { return one.version == smoothVersion; });
-    std::rotate(chosen, chosen + 1, smoothed_.end());
-    smooth_ = smoothed_.back().normals;
+    return status;
   }
   if (lacksFaces)
   {
@@ -323,6 +353,7 @@ void SurfaceMesh::describe(Instance& instance) const
   if (smooth_)
   {
     attributes.smoothNormals = smooth_->packed;
+    attributes.smoothOfCorner = smooth_->ofCorner;
     attributes.smoothLevels = smooth_->levels;
     attributes.smoothRatio = smooth_->ratio;
   }

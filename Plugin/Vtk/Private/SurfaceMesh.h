@@ -112,6 +112,9 @@ private:
   Status updateGeometry(vtkPolyData* data, int threads);
   Status rebuild(vtkPolyData* data, int threads);
   Status supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
+  Status supplySmoothNormals(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
+  Status supplyNormals(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
+  void keepTriangles(vtkPolyData* data, int threads);
   bool isKept(const NormalChoice& choice) const;
   Status computeNormals(const NormalChoice& choice, int threads);
   void updateNormals(vtkPolyData* data);
