@@ -409,6 +409,11 @@ Status checkLines(const LineSet& set, const std::string& name)
   if (!std::all_of(set.slack.begin(), set.slack.end(),
                    [](float slack) { return areNotNegative({slack}); }))
     return {Error::kNotFinite, name + " have a slack that is negative or not finite."};
+  if (!set.share.empty() && set.share.size() < points)
+    return {Error::kSizeMismatch, name + " have shares for some points only; give all or none."};
+  if (!std::all_of(set.share.begin(), set.share.end(),
+                   [](float share) { return share >= 0 && share <= 1; }))
+    return {Error::kNotFinite, name + " have a share of their width that is not from 0 to 1."};
   return {};
 }
 

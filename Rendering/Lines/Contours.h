@@ -20,11 +20,12 @@ EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const F
 struct ContourLines {
   std::vector<Vec3d> points;
   std::vector<float> slack;
+  std::vector<float> share = {};  ///< LineSet::share
   LineChains chains;
 
   LineSet lines(const LineStyle& style) const
   {
-    return {{{}, points, {}}, chains.vertex, chains.first, chains.flags, slack, style};
+    return {{{}, points, {}}, chains.vertex, chains.first, chains.flags, slack, style, share};
   }
 };
 

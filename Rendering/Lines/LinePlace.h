@@ -13,6 +13,7 @@ struct LinePoint {
   double x, y;    ///< pixels
   double depth;   ///< window depth
   double tested;  ///< that of the point moved by its slack towards the eye
+  double share;   ///< of the style's width
 };
 
 /// The way of a set's points to the screen, in double all along.
@@ -58,7 +59,7 @@ class LinePlace {
 
  private:
   struct Clip {
-    double x, y, z, w, slack;
+    double x, y, z, w, slack, share;
 
     bool isFinite() const
     {
@@ -74,12 +75,17 @@ class LinePlace {
       return (m[0] * at.x + m[1] * at.y) + (m[2] * at.z + m[3]);
     };
     const double slack = set.slack.empty() ? 0.0 : static_cast<double>(set.slack[p]);
-    return {row(0), row(1), row(2), row(3), slack};
+    const double share = set.share.empty() ? 1.0 : static_cast<double>(set.share[p]);
+    return {row(0), row(1), row(2), row(3), slack, share};
   }
   static Clip mixed(const Clip& a, const Clip& b, double t)
   {
-    return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z),
-            a.w + t * (b.w - a.w), a.slack + t * (b.slack - a.slack)};
+    return {a.x + t * (b.x - a.x),
+            a.y + t * (b.y - a.y),
+            a.z + t * (b.z - a.z),
+            a.w + t * (b.w - a.w),
+            a.slack + t * (b.slack - a.slack),
+            a.share + t * (b.share - a.share)};
   }
   LinePoint onScreen(const Clip& clip) const
   {
@@ -88,7 +94,8 @@ class LinePlace {
     // Nearer than all that is drawn once it is before the near plane.
     const double tested = z + w < 0 || w < kSmallestW ? 0.0 : z / w * 0.5 + 0.5;
     return {clip.x * inverse * halfWidth_ + halfWidth_,
-            clip.y * inverse * halfHeight_ + halfHeight_, clip.z * inverse * 0.5 + 0.5, tested};
+            clip.y * inverse * halfHeight_ + halfHeight_, clip.z * inverse * 0.5 + 0.5, tested,
+            clip.share};
   }
 
   Mat4d toClip_;

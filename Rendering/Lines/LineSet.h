@@ -82,6 +82,9 @@ struct LineSet {
   /// For lines beside the mesh, as smooth contours of a faceted one are. Empty: 0.
   Span<const float> slack;
   LineStyle style;
+  /// By point, 0 to 1: what share of the style's width the line has there, linear on the screen
+  /// in between. Empty: 1.
+  Span<const float> share = {};
 
   std::size_t chainCount() const { return first.empty() ? 0 : first.size() - 1; }
 };

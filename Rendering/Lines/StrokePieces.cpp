@@ -354,6 +354,8 @@ class ChainCutter {
     double half = 0.5 * static_cast<double>(style_.width);
     if (segment.isOuter) half *= static_cast<double>(style_.outerFactor);
     if (isHidden) half *= static_cast<double>(kHiddenWidth);
+    if (!set_.share.empty())
+      half *= segment.at((s - segment.start) / segment.length, &LinePoint::share);
     if (isTapered()) {
       const double toEnd = std::max(std::min(s, length_ - s), 0.0);
       half *= std::min(toEnd / static_cast<double>(style_.taper), 1.0);

@@ -14,9 +14,9 @@
 namespace limn::reference {
 namespace {
 
-/// A point in clip space, and how far towards the eye it is tested.
+/// A point in clip space, how far towards the eye it is tested, and how wide the line is there.
 struct Clip {
-  double x, y, z, w, slack;
+  double x, y, z, w, slack, share;
 };
 
 double between(double a, double b, double t)
@@ -26,19 +26,19 @@ double between(double a, double b, double t)
 
 Clip between(const Clip& a, const Clip& b, double t)
 {
-  return {between(a.x, b.x, t), between(a.y, b.y, t), between(a.z, b.z, t), between(a.w, b.w, t),
-          between(a.slack, b.slack, t)};
+  return {between(a.x, b.x, t), between(a.y, b.y, t),         between(a.z, b.z, t),
+          between(a.w, b.w, t), between(a.slack, b.slack, t), between(a.share, b.share, t)};
 }
 
-/// On the screen, with its own depth and that for the test.
+/// On the screen, with its own depth, that for the test, and its share of the style's width.
 struct Dot {
-  double x, y, depth, tested;
+  double x, y, depth, tested, share;
 };
 
 Dot between(const Dot& a, const Dot& b, double t)
 {
   return {between(a.x, b.x, t), between(a.y, b.y, t), between(a.depth, b.depth, t),
-          between(a.tested, b.tested, t)};
+          between(a.tested, b.tested, t), between(a.share, b.share, t)};
 }
 
 enum class Seen { kNo, kHidden, kYes };
@@ -132,8 +132,12 @@ class Lines {
       return (toClip_.m[r][0] * p.x + toClip_.m[r][1] * p.y) +
              (toClip_.m[r][2] * p.z + toClip_.m[r][3]);
     };
-    return {row(0), row(1), row(2), row(3),
-            set.slack.empty() ? 0.0 : static_cast<double>(set.slack[vertex])};
+    return {row(0),
+            row(1),
+            row(2),
+            row(3),
+            set.slack.empty() ? 0.0 : static_cast<double>(set.slack[vertex]),
+            set.share.empty() ? 1.0 : static_cast<double>(set.share[vertex])};
   }
   Dot dot(const Clip& c) const
   {
@@ -144,7 +148,7 @@ class Lines {
     const double w = c.w + scene_.camera.viewToClip.m[3][2] * c.slack;
     const bool isBeforeAll = z + w < 0 || w < kSmallestW;
     return {c.x * inverse * halfWidth + halfWidth, c.y * inverse * halfHeight + halfHeight,
-            c.z * inverse * 0.5 + 0.5, isBeforeAll ? 0.0 : z / w * 0.5 + 0.5};
+            c.z * inverse * 0.5 + 0.5, isBeforeAll ? 0.0 : z / w * 0.5 + 0.5, c.share};
   }
 
   /// Without its place along the chain and its samples.
@@ -411,6 +415,8 @@ class Lines {
     double half = 0.5 * static_cast<double>(line.style.width);
     if ((line.segment.flags & kOuterLine) != 0) half *= static_cast<double>(line.style.outerFactor);
     if (line.isHidden) half *= static_cast<double>(kHiddenWidth);
+    half *= between(line.segment.a, line.segment.b, (s - line.segment.start) / line.segment.length)
+                .share;
     if (line.isTapered())
       half *= std::min(
           std::max(std::min(s, line.length - s), 0.0) / static_cast<double>(line.style.taper), 1.0);

@@ -334,6 +334,23 @@ TEST_P(EveryTarget, DrawsLinesLikeTheReference)
   EXPECT_GT(newDepths, 20000u);
 }
 
+TEST_P(EveryTarget, DrawsSharesOfLinesLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 200; seed += stride()) {
+    const RandomScene random(seed, RandomScene::Detail::kLineShares);
+    const Picture expected = drawn(random, {Backend::kReference, 1});
+    const Picture actual = drawn(random, {Backend::kPipeline, kThreads[seed % 4]});
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    const RandomScene whole(seed, RandomScene::Detail::kLines);
+    const Picture wide = drawn(whole, {Backend::kPipeline, 1});
+    if (wide.color.size() != actual.color.size()) continue;
+    changedPixels += wide.differingPixels(actual);
+  }
+  EXPECT_GT(changedPixels, 20000u / stride()) << "shares must show";
+}
+
 TEST_P(EveryTarget, FindsNormalsLikeTheReference)
 {
   constexpr RandomScene::Detail kDetails[] = {

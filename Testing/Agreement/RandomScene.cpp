@@ -269,8 +269,10 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (random.chance(4)) lights_ = {Light{}};
   placeCamera(random);
   if (detail == Detail::kLights) addLights();
-  if (detail == Detail::kLines || (detail == Detail::kCues && seed % 4 == 1))
+  if (detail == Detail::kLines || detail == Detail::kLineShares ||
+      (detail == Detail::kCues && seed % 4 == 1))
     addLines(Random(seed ^ 0x11E5u));
+  if (detail == Detail::kLineShares) addShares();
   const bool isShaded = detail == Detail::kShaders;
   const bool isHatched = detail == Detail::kHatching;
   const bool isExaggerated = isExaggeration(detail);
@@ -326,17 +328,18 @@ void RandomScene::addMesh(Random& random, Detail detail)
   std::vector<Vec3d> points =
       detail == Detail::kFine || detail == Detail::kFineTranslucent ||
               (detail == Detail::kHulls && seed_ % 8 == 0) ||
-              (detail == Detail::kLines && seed_ % 5 == 0) ||
+              ((detail == Detail::kLines || detail == Detail::kLineShares) && seed_ % 5 == 0) ||
               ((hasImageLines(detail) || detail == Detail::kCues) && seed_ % 3 == 1) ||
               (isExaggeration(detail) && seed_ % 3 == 1)
           ? makeBumpySphere(random, *mesh)
       : detail == Detail::kHulls ? makeSolids(random, *mesh)
-      : detail == Detail::kCoarse || ((detail == Detail::kTextures || detail == Detail::kShaders ||
-                                       detail == Detail::kTranslucent || detail == Detail::kTones ||
-                                       detail == Detail::kDataTones || detail == Detail::kLines ||
-                                       detail == Detail::kHatching || isExaggeration(detail) ||
-                                       hasImageLines(detail) || detail == Detail::kCues) &&
-                                      seed_ % 2 == 0)
+      : detail == Detail::kCoarse ||
+              ((detail == Detail::kTextures || detail == Detail::kShaders ||
+                detail == Detail::kTranslucent || detail == Detail::kTones ||
+                detail == Detail::kDataTones || detail == Detail::kLines ||
+                detail == Detail::kLineShares || detail == Detail::kHatching ||
+                isExaggeration(detail) || hasImageLines(detail) || detail == Detail::kCues) &&
+               seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);
   if (random.chance(6)) {
@@ -962,6 +965,23 @@ void RandomScene::addLines(Random random)
       lines_.back().push_back(set);
     }
     instance.lines = lines_.back();
+  }
+}
+
+void RandomScene::addShares()
+{
+  Random random(seed_ ^ 0x54A4E5u);
+  std::size_t number = 0;
+  for (std::size_t i = 0; i < instances_.size(); ++i) {
+    for (LineSet& set : lines_[i]) {
+      OwnedLines& own = *chains_[number++];
+      if (random.chance(5)) continue;
+      for (std::size_t v = 0; v < set.points.vertexCount(); ++v)
+        own.share.push_back(random.chance(4) ? static_cast<float>(random.below(2))
+                                             : static_cast<float>(random.between(0, 1)));
+      set.share = own.share;
+    }
+    instances_[i].lines = lines_[i];
   }
 }
 

@@ -99,6 +99,7 @@ class RandomScene {
     kDataTones,    ///< as kAny or kCoarse, with tones over colours of data
     kHulls,        ///< closed surfaces, coarse or as kFine, with inverted hulls
     kLines,        ///< as kAny, kFine or kCoarse, with lines of all kinds
+    kLineShares,   ///< as kLines, most of them wider and thinner from point to point
     kHatching,     ///< as kTones, with hatching alone
     kImageLines,   ///< as kAny, kFine or kCoarse, most with lines from the picture
     kCreases,      ///< likewise, by every way to find creases
@@ -131,6 +132,7 @@ class RandomScene {
   void addHatching();
   void addExaggeration(Detail detail);
   void addHulls();
+  void addShares();
   void addImageLines();
   void addCreaseDetectors();
   void addIds();
@@ -156,7 +158,7 @@ class RandomScene {
   std::vector<std::unique_ptr<SurfaceShader>> shaders_;
   struct OwnedLines {
     LineChains chains;
-    std::vector<float> slack;
+    std::vector<float> slack, share;
   };
   std::vector<std::unique_ptr<OwnedLines>> chains_;
   std::vector<std::vector<LineSet>> lines_;  ///< by instance

@@ -26,6 +26,7 @@ constexpr std::uint64_t kHashOfTextures = 6601808570278293167u;
 constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 422314681313311824u;
+constexpr std::uint64_t kHashOfLineShares = 15202610708990862064u;
 constexpr std::uint64_t kHashOfImageLines = 223056381221696186u;
 constexpr std::uint64_t kHashOfCreases = 8908716711278579718u;
 constexpr std::uint64_t kHashOfIdBorders = 10322215869986217783u;
@@ -225,6 +226,13 @@ TEST_P(SameBytes, LinesHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kLines);
   std::cout << "kHashOfLines " << hash << '\n';
   EXPECT_EQ(hash, kHashOfLines);
+}
+
+TEST_P(SameBytes, LineSharesHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kLineShares);
+  std::cout << "kHashOfLineShares " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfLineShares);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),

@@ -468,6 +468,21 @@ const Mistake kLineMistakes[] = {
        static const float slack[] = {0};
        spoilLine(i, [](LineSet& l) { l.slack = {slack, 1}; });
      }},
+    {"LineShareTooShort", Error::kSizeMismatch, "shares",
+     [](Input& i) {
+       static const float share[] = {0};
+       spoilLine(i, [](LineSet& l) { l.share = {share, 1}; });
+     }},
+    {"LineShareNan", Error::kNotFinite, "share",
+     [](Input& i) {
+       static const float share[] = {0, kNan, 0, 0};
+       spoilLine(i, [](LineSet& l) { l.share = {share, 4}; });
+     }},
+    {"LineShareAboveOne", Error::kNotFinite, "share",
+     [](Input& i) {
+       static const float share[] = {0, 1, 1.5f, 0};
+       spoilLine(i, [](LineSet& l) { l.share = {share, 4}; });
+     }},
     {"LineSlackNan", Error::kNotFinite, "slack",
      [](Input& i) {
        static const float slack[] = {0, kNan, 0, 0};

@@ -32,6 +32,7 @@ struct Polylines {
   std::vector<Vec3f> points;
   std::vector<std::uint32_t> vertex, first = {0};
   std::vector<std::uint8_t> flags;
+  std::vector<float> share = {};
 
   void add(const std::vector<Vec3d>& chain)
   {
@@ -43,7 +44,7 @@ struct Polylines {
   }
   LineSet lines(const LineStyle& style) const
   {
-    return {{points, {}, {}}, vertex, first, flags, {}, style};
+    return {{points, {}, {}}, vertex, first, flags, {}, style, share};
   }
 };
 
@@ -179,6 +180,22 @@ TEST_P(Strokes, TaperTakesHalfOfItsLengthsWidthAway)
   loop.first.back() = 4;
   LineStyle even = redLine(4);
   EXPECT_EQ(coverage(loop, style), coverage(loop, even)) << "loops have no ends";
+}
+
+TEST_P(Strokes, ShareOfTheWidthIsLinearBetweenPoints)
+{
+  Polylines line;
+  line.add({{14, 20, 0}, {54, 50, 0}, {94, 80, 0}, {94, 110, 0}});
+  line.share = {0, 1, 0.5f, 0.5f};
+  // The mean of both ends, times 50, 50 and 30 pixels.
+  const double shares = 0.5 * 50 + 0.75 * 50 + 0.5 * 30;
+  for (const float width : {0.5f, 1.2f, 3.0f}) {
+    EXPECT_NEAR(coverage(line, redLine(width)) / (static_cast<double>(width) * shares), 1, 0.02);
+  }
+  line.share.assign(4, 1.0f);
+  Polylines full = line;
+  full.share.clear();
+  EXPECT_EQ(coverage(line, redLine(2)), coverage(full, redLine(2)));
 }
 
 TEST_P(Strokes, DashesCoverTheirShare)
