@@ -682,9 +682,10 @@ public:
    * where that is 180, CreaseAngle (60 degrees at least if the data's normals are smooth): the
    * denser the less light the lights send, as the tone Hatching has it, by HatchDarkest and
    * HatchSpacing, which is the distance of strokes along the curvature where half of the light
-   * arrives. No closer than 1/200 of the diagonal of the mesh's box. They are found when the mesh
-   * changes, so that they stay where they are when the camera moves, and drawn below all other
-   * lines, HatchWidth times as wide, their ends tapered over HatchSpacing at least. Defaults: off,
+   * arrives, in steps of two between which strokes swell. No closer than 1/200 of the diagonal of
+   * the mesh's box. They are found when the mesh changes, so that they stay where they are when the
+   * camera moves, and drawn below all other lines, HatchWidth times as wide and on flat faces up to
+   * 1.3 times that, their ends tapered over HatchSpacing at least. Defaults: off,
    * 0.6.
    */
   vtkSetMacro(HatchLines, bool);

@@ -56,10 +56,15 @@ class CrossSmoother {
     trustCurvature();
   }
 
+  /// What HatchField has of circles, after smooth().
+  std::vector<std::uint8_t> takeCircles() { return std::move(circles_); }
+  std::vector<std::uint32_t> takeCircled() { return std::move(circled_); }
+
   std::vector<Vec3f> smooth()
   {
     cross_.assign(count_, Quadruple{0, 0});
     axis_.assign(count_, Vec3d{0, 0, 0});
+    circles_.assign(count_, 0);
     gatherParts();
     hasCircles_.assign(partFirst_.size(), 0);
     for (std::size_t p = 0; p + 1 < partFirst_.size(); ++p) {
@@ -235,8 +240,11 @@ class CrossSmoother {
       sum = sum + normalOf(v) * normalOf(v);
     constexpr double kDoubt = 1.25;
     const bool isZ = sum.z <= kDoubt * std::min(sum.x, sum.y);
-    const Vec3d axis = isZ ? Vec3d{0, 0, 1} : sum.y <= sum.x ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+    const bool isY = !isZ && sum.y <= sum.x;
+    const Vec3d axis = isZ ? Vec3d{0, 0, 1} : isY ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
+    circled_.push_back(part[0]);
     for (const std::uint32_t v : part) {
+      circles_[v] = isZ ? 3 : isY ? 2 : 1;
       axis_[v] = normalized(cross(axis, normalOf(v)));
       if (axis_[v] == Vec3d{0, 0, 0}) axis_[v] = axisU(v);
       trust_[v] = 1;
@@ -341,6 +349,8 @@ class CrossSmoother {
   std::vector<std::size_t> partFirst_;
   std::vector<char> hasCircles_;  ///< by part
   std::vector<Vec3d> axis_;
+  std::vector<std::uint8_t> circles_;
+  std::vector<std::uint32_t> circled_;
   std::vector<char> isChosen_;
 };
 
@@ -350,7 +360,10 @@ HatchField hatchField(const HatchSurface& surface, int threads)
 {
   HatchField field;
   field.flats = flatRegions(surface, threads);
-  field.axis = CrossSmoother(surface, field.flats, threads).smooth();
+  CrossSmoother smoother(surface, field.flats, threads);
+  field.axis = smoother.smooth();
+  field.circles = smoother.takeCircles();
+  field.circled = smoother.takeCircled();
   return field;
 }
 

@@ -12,7 +12,11 @@ struct HatchField {
   /// The first family's axis, by vertex: unit, in the tangent plane, of which the sign means
   /// nothing; {0, 0, 0} where there is no proper face.
   std::vector<Vec3f> axis;
-  FlatRegions flats;  ///< where it is FlatRegion::along instead
+  /// By vertex: 1, 2 or 3 where strokes of the first family are circles about the x, y or z axis:
+  /// they run where the smooth normal's part along it stays what it is. Else 0.
+  std::vector<std::uint8_t> circles;
+  std::vector<std::uint32_t> circled;  ///< a vertex of each connected surface of circles
+  FlatRegions flats;                   ///< where it is FlatRegion::along instead
 };
 
 /// Crosses have the principal directions where these are reliable: where the curvatures differ by

@@ -117,16 +117,15 @@ class PartWriter {
     lines_.chains.first.push_back(0);
   }
 
-  /// `limit` is that of each of the stroke's points in turn.
-  void write(std::size_t stroke, const std::vector<double>& limit)
+  /// `width` is that of each of the stroke's points in turn, in widths; below 0 it is not drawn.
+  void write(std::size_t stroke, const std::vector<float>& width)
   {
     const std::uint32_t first = strokes_.first[stroke], end = strokes_.first[stroke + 1];
-    const auto rank = static_cast<double>(strokes_.rank[stroke]);
-    const auto isDrawn = [&](std::uint32_t i) { return limit[i] - rank >= 0; };
+    const auto isDrawn = [&](std::uint32_t i) { return width[i] > 0; };
     const bool isRing = end - first > 3 && strokes_.vertex[first] == strokes_.vertex[end - 1];
     if (!isRing) {
       for (std::uint32_t i = first; i < end; ++i)
-        step(i, i > first ? i - 1 : i, limit, rank);
+        step(i, i > first ? i - 1 : i, width);
     } else {
       // From a point that is not drawn, so that no piece is cut where the ring happens to begin.
       const std::uint32_t count = end - first - 1;
@@ -134,8 +133,7 @@ class PartWriter {
       while (start < count && isDrawn(first + start))
         ++start;
       for (std::uint32_t k = 0; k <= count; ++k)
-        step(first + (start + k) % count, first + (start + (k > 0 ? k - 1 : 0)) % count, limit,
-             rank);
+        step(first + (start + k) % count, first + (start + (k > 0 ? k - 1 : 0)) % count, width);
       std::vector<std::uint32_t>& vertex = lines_.chains.vertex;
       // One that is drawn as a whole has no ends.
       if (isOpen_ && start == count) vertex.back() = vertex[lines_.chains.first.back()];
@@ -146,23 +144,25 @@ class PartWriter {
 
  private:
   /// From a point to the next; the first comes from itself.
-  void step(std::uint32_t to, std::uint32_t from, const std::vector<double>& limit, double rank)
+  void step(std::uint32_t to, std::uint32_t from, const std::vector<float>& width)
   {
-    const double here = limit[to] - rank, before = limit[from] - rank;
-    if ((before >= 0) != (here >= 0)) {
+    const double here = static_cast<double>(width[to]), before = static_cast<double>(width[from]);
+    const bool isDrawn = here > 0;
+    if ((before > 0) != isDrawn) {
       const Vec3d a = pointOf(from), b = pointOf(to);
-      put(a + (b - a) * (before / (before - here)));
+      put(a + (b - a) * (before / (before - here)), 0);
     }
-    if (here >= 0) put(pointOf(to));
-    if (isOpen_ && here < 0) close();
-    isOpen_ = here >= 0;
+    if (isDrawn) put(pointOf(to), here);
+    if (isOpen_ && !isDrawn) close();
+    isOpen_ = isDrawn;
   }
   Vec3d pointOf(std::uint32_t i) const { return strokes_.points[strokes_.vertex[i]]; }
-  void put(Vec3d p)
+  void put(Vec3d p, double width)
   {
     lines_.chains.vertex.push_back(static_cast<std::uint32_t>(lines_.points.size()));
     lines_.points.push_back(p);
     lines_.slack.push_back(slack_);
+    lines_.share.push_back(static_cast<float>(std::min(width, kHatchSwell) / kHatchSwell));
   }
   void close()
   {
@@ -175,32 +175,64 @@ class PartWriter {
   bool isOpen_ = false;
 };
 
-/// Evens out what perspective alone makes of a flat face: lines that get nearer to each other, as
-/// those of a floor do, look better than every other one that ends half way.
-void evenOutFaces(const HatchStrokes& strokes, std::vector<double>& limit)
+/// The width of a stroke among others that end where it gets lighter; what is negative grows as it
+/// would.
+double swollen(double limit, double rank)
 {
-  struct Bounds {
-    double low = 1e300, high = 0;
-  };
-  constexpr double kMostPerspective = 3;
-  std::vector<Bounds> bounds;
-  const auto forEachPoint = [&](const auto& visit) {
+  const double width = (limit / rank - kRankBegins) / (kRankIsWhole - kRankBegins);
+  return width < 1 ? width : 1.0;
+}
+
+/// The width of a flat face's stroke where all of the face need the same.
+double evenWidth(double limit, double rank)
+{
+  // Of flat faces' strokes ranks are sqrt(1/2) times a power of two.
+  double high = 1;
+  while (high > limit && high > rank)
+    high *= 0.5;
+  const double need = limit / high;
+  const double begin = kHatchSwell, end = 1.55;
+  const double share = high < 1 ? bounded((need - begin) / (end - begin)) : 0.0;
+  const double next = 0.5 * need * share;
+  if (rank < high) return std::min(need - next, kHatchSwell);
+  return rank < 2 * high && next > 0 ? next : -1.0;
+}
+
+/// Strokes of flat faces on which what is needed varies by perspective alone, and what they need:
+/// lines that get nearer to each other, as those of a floor do, look better than every other one
+/// that ends half way.
+class EvenFaces {
+ public:
+  EvenFaces(const HatchStrokes& strokes, const std::vector<double>& limit)
+  {
     for (std::size_t s = 0; s < strokes.strokeCount(); ++s) {
       const std::uint32_t face = strokes.face[s];
       if (face == HatchStrokes::kNoFace) continue;
-      if (face >= bounds.size()) bounds.resize(face + std::size_t{1});
-      for (std::uint32_t i = strokes.first[s]; i < strokes.first[s + 1]; ++i)
-        visit(bounds[face], limit[i]);
+      if (face >= bounds_.size()) bounds_.resize(face + std::size_t{1});
+      Bounds& bounds = bounds_[face];
+      for (std::uint32_t i = strokes.first[s]; i < strokes.first[s + 1]; ++i) {
+        bounds.low = std::min(bounds.low, limit[i]);
+        bounds.high = std::max(bounds.high, limit[i]);
+      }
     }
+  }
+  bool isEven(std::uint32_t face) const
+  {
+    constexpr double kMostPerspective = 3;
+    return face != HatchStrokes::kNoFace &&
+           bounds_[face].high <= kMostPerspective * bounds_[face].low;
+  }
+  double limit(std::uint32_t face) const
+  {
+    return std::sqrt(bounds_[face].low * bounds_[face].high);
+  }
+
+ private:
+  struct Bounds {
+    double low = 1e300, high = 0;
   };
-  forEachPoint([](Bounds& face, double one) {
-    face.low = std::min(face.low, one);
-    face.high = std::max(face.high, one);
-  });
-  forEachPoint([](const Bounds& face, double& one) {
-    if (face.high <= kMostPerspective * face.low) one = std::sqrt(face.low * face.high);
-  });
-}
+  std::vector<Bounds> bounds_;
+};
 
 }  // namespace
 
@@ -209,18 +241,25 @@ ContourLines hatchLines(const HatchStrokes& strokes, const Mat4d& modelToWorld,
 {
   const RankLimits limits(strokes, modelToWorld, view);
   std::vector<double> limit(strokes.vertex.size());
-  std::vector<char> isCross(strokes.vertex.size());
+  std::vector<std::uint32_t> strokeOf(strokes.vertex.size());
   for (std::size_t s = 0; s < strokes.strokeCount(); ++s)
-    std::fill(isCross.begin() + strokes.first[s], isCross.begin() + strokes.first[s + 1],
-              strokes.isCross[s]);
+    std::fill(strokeOf.begin() + strokes.first[s], strokeOf.begin() + strokes.first[s + 1],
+              static_cast<std::uint32_t>(s));
   parallelForEach(threads, limit.size(), kPerTask, [&](std::size_t i) {
-    limit[i] = limits.limit(strokes.vertex[i], isCross[i] != 0);
+    limit[i] = limits.limit(strokes.vertex[i], strokes.isCross[strokeOf[i]] != 0);
   });
-  evenOutFaces(strokes, limit);
+  const EvenFaces faces(strokes, limit);
+  std::vector<float> width(limit.size());
+  parallelForEach(threads, width.size(), kPerTask, [&](std::size_t i) {
+    const std::uint32_t face = strokes.face[strokeOf[i]];
+    const auto rank = static_cast<double>(strokes.rank[strokeOf[i]]);
+    width[i] = static_cast<float>(faces.isEven(face) ? evenWidth(faces.limit(face), rank)
+                                                     : swollen(limit[i], rank));
+  });
   ContourLines lines;
   PartWriter writer(strokes, static_cast<float>(limits.slack()), lines);
   for (std::size_t s = 0; s < strokes.strokeCount(); ++s)
-    writer.write(s, limit);
+    writer.write(s, width);
   return lines;
 }
 

@@ -19,8 +19,10 @@ struct HatchStrokes {
   std::vector<Vec3f> across;            ///< unit, perpendicular to stroke and normal, by point
   std::vector<std::uint32_t> vertex;    ///< points of all strokes, one after another
   std::vector<std::uint32_t> first;     ///< where in `vertex` a stroke begins; and the end
-  std::vector<float> rank;              ///< by stroke, above 0, at most 1
-  std::vector<char> isCross;            ///< by stroke: of the second family, across the first
+  /// By stroke, above 0, at most 1: half as wide as others where all up to it are as dense as
+  /// asked.
+  std::vector<float> rank;
+  std::vector<char> isCross;  ///< by stroke: of the second family, across the first
   /// By stroke: one number for each family of each flat face, kNoFace elsewhere.
   std::vector<std::uint32_t> face;
   /// Between neighbours where all are drawn. Those of a rank up to r are spacing / r apart.

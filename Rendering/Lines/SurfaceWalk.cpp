@@ -42,6 +42,38 @@ SurfaceWalk::Corners SurfaceWalk::cornersOf(std::uint32_t triangle) const
   return corners;
 }
 
+Vec3d SurfaceWalk::axisOf(std::uint8_t about)
+{
+  return {about == 1 ? 1.0 : 0.0, about == 2 ? 1.0 : 0.0, about == 3 ? 1.0 : 0.0};
+}
+
+std::uint8_t SurfaceWalk::circlesAt(std::size_t triangle) const
+{
+  const auto& vertex = surface_.mesh.triangles[triangle].vertex;
+  for (const std::uint32_t v : vertex)
+    if (v >= field_.circles.size()) return 0;
+  return field_.flats.of(triangle) == FlatRegions::kNone ? field_.circles[vertex[0]]
+                                                         : std::uint8_t{0};
+}
+
+std::vector<std::uint32_t> SurfaceWalk::circledTriangles() const
+{
+  std::vector<std::uint32_t> wanted = field_.circled, found;
+  std::sort(wanted.begin(), wanted.end());
+  const Span<const Triangle> triangles = surface_.mesh.triangles;
+  for (std::uint32_t t = 0; t < triangles.size() && !wanted.empty(); ++t) {
+    if (circlesAt(t) == 0) continue;
+    for (const std::uint32_t v : triangles[t].vertex) {
+      const auto place = std::lower_bound(wanted.begin(), wanted.end(), v);
+      if (place == wanted.end() || *place != v) continue;
+      wanted.erase(place);
+      found.push_back(t);
+      break;
+    }
+  }
+  return found;
+}
+
 bool SurfaceWalk::seed(std::size_t number, WalkPoint& point) const
 {
   const auto& vertex = surface_.mesh.triangles[number].vertex;
@@ -72,6 +104,14 @@ Vec3d SurfaceWalk::axisAt(const WalkPoint& point, const Corners& corners) const
   const std::uint32_t flat = field_.flats.of(point.triangle);
   if (flat != FlatRegions::kNone) return inPlane(field_.flats.regions[flat].along, corners.normal);
   const auto& vertex = surface_.mesh.triangles[point.triangle].vertex;
+  if (const std::uint8_t about = circlesAt(point.triangle); about != 0) {
+    // Of the smooth surface, carried along its normal into the triangle.
+    const Vec3d n = normalAt(point), level = limn::cross(axisOf(about), n);
+    const double facing = dot(n, corners.normal);
+    constexpr double kPole = 1e-6;
+    if (dot(level, level) > kPole && std::fabs(facing) > 0.5)
+      return normalized(level - n * (dot(level, corners.normal) / facing));
+  }
   double weight[3];
   weigh(point, corners, weight);
   // Of crosses that of the heaviest corner says which arms of the others go with its first.

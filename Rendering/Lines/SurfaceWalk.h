@@ -22,6 +22,11 @@ class SurfaceWalk {
   /// The middle of the triangle `number`; false if it has no area.
   bool seed(std::size_t number, WalkPoint& point) const;
   std::size_t seedCount() const { return surface_.mesh.triangles.size(); }
+  /// HatchField::circles of a triangle, and their axis.
+  std::uint8_t circlesAt(std::size_t triangle) const;
+  /// A triangle of each connected surface of circles.
+  std::vector<std::uint32_t> circledTriangles() const;
+  static Vec3d axisOf(std::uint8_t about);
 
   /// A step along the arm of the cross that is nearest to the point's direction, by the midpoint
   /// rule. False, with the point moved as far as it goes, at a border, an edge of three faces and

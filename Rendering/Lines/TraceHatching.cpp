@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/TraceHatching.h"
 
+#include "Rendering/Lines/CircleSeeds.h"
 #include "Rendering/Lines/FlatHatching.h"
 #include "Rendering/Lines/SurfaceWalk.h"
 #include "Rendering/Base/Executor.h"
@@ -15,15 +16,17 @@
 namespace limn {
 namespace {
 
-constexpr int kRounds = 5;
+constexpr int kRounds = 6;
 /// Strokes end where another of their family is nearer than this share of their distance, and
-/// begin where none is nearer than the second.
-constexpr double kNearest = 0.6, kApart = 0.95;
-/// Ranks, as shares of a round's highest: about sqrt(1/2), where its distance is as near to the
-/// wanted one as the next round's. Apart enough for strokes that end in one light not to end in
-/// line.
-/// The first round's get rarer towards the light.
-constexpr double kLowest = 0.62, kLowestOfFirst = 0.3, kHighest = 0.8;
+/// begin where none is nearer than the second; of a SeedLine, which is divided in whole parts, the
+/// third.
+constexpr double kNearest = 0.6, kApart = 0.95, kApartInLine = 0.75;
+/// Ranks, as shares of a round's highest: about 3/4, so that its strokes begin where those before
+/// are as dense as asked and are as wide as they where all together are. Apart enough for strokes
+/// that end in one light not to end in line.
+constexpr double kLowest = 0.7, kHighest = 0.8;
+/// No nearer than this to where a stroke was too short is another one tried.
+constexpr double kTried = 0.2;
 constexpr std::size_t kMostSteps = 4096;
 constexpr int kMostTurns = 4;
 /// Vertices tried as first points of strokes in each round.
@@ -93,12 +96,14 @@ class FamilyTracer {
   void trace(Vec3d origin)
   {
     origin_ = origin;
+    for (const std::uint32_t triangle : walk_.circledTriangles())
+      seedLines_.emplace_back(walk_, triangle, isCross_, strokes_.step);
     for (int round = 0; round < kRounds; ++round) {
       distance_ = strokes_.spacing * static_cast<double>(1 << (kRounds - 1 - round));
       high_ = 1.0 / static_cast<double>(1 << (kRounds - 1 - round));
-      isFirstRound_ = round == 0;
-      PointGrid grid(distance_);
+      PointGrid grid(distance_), tried(kTried * distance_);
       grid_ = &grid;
+      tried_ = &tried;
       for (std::size_t s = 0; s < strokes_.strokeCount(); ++s)
         enter(s);
       traceRound();
@@ -109,6 +114,13 @@ class FamilyTracer {
   void traceRound()
   {
     seeds_.clear();
+    for (SeedLine& line : seedLines_) {
+      const std::vector<WalkPoint> seeds = line.next(distance_);
+      density_ = line.density();
+      for (const WalkPoint& seed : seeds)
+        traceFrom(seed, kApartInLine);
+    }
+    density_ = 1;
     for (std::size_t s = 0; s < strokes_.strokeCount(); ++s)
       seedBeside(s);
     traceSeeds();
@@ -123,13 +135,15 @@ class FamilyTracer {
   void traceSeeds()
   {
     for (; !seeds_.empty(); seeds_.pop_front())
-      traceFrom(seeds_.front());
+      traceFrom(seeds_.front(), kApart);
   }
 
-  void traceFrom(const WalkPoint& seed)
+  void traceFrom(const WalkPoint& seed, double apart)
   {
     const Vec3d normal = walk_.normalAt(seed);
-    if (grid_->isNear(seed.position - origin_, normal, kApart * distance_)) return;
+    if (grid_->isNear(seed.position - origin_, normal, apart * distance_) ||
+        tried_->isNear(seed.position - origin_, normal, kTried * distance_))
+      return;
     Course course = follow(seed, {1, 0}, nullptr);
     // On a mesh, which is not smooth, rings become spirals; turned back by what they stray by.
     double drift = 0;
@@ -146,8 +160,12 @@ class FamilyTracer {
     }
     all.push_back(seed);
     all.insert(all.end(), course.points.begin(), course.points.end());
-    // Shorter ones are dots.
-    if (static_cast<double>(all.size()) * strokes_.step < 2 * distance_ && !course.isClosed) return;
+    // Shorter ones are dots; so are rings about a pole.
+    const bool isShort = static_cast<double>(all.size()) * strokes_.step < 2 * distance_;
+    if (isShort && (!course.isClosed || walk_.circlesAt(seed.triangle) != 0)) {
+      tried_->add({seed.position - origin_, normal});
+      return;
+    }
     add(all, course.isClosed);
     enter(strokes_.strokeCount() - 1);
     seedBeside(strokes_.strokeCount() - 1);
@@ -175,7 +193,7 @@ class FamilyTracer {
     PointGrid own(distance_);
     const std::size_t turn = static_cast<std::size_t>(std::ceil(distance_ / strokes_.step)) + 2;
     if (other != nullptr)
-      for (std::size_t i = turn; i < other->size(); ++i)
+      for (std::size_t i = turn; i < other->size(); i += every())
         own.add({(*other)[i].position - origin_, walk_.normalAt((*other)[i])});
     while (points.size() < kMostSteps) {
       const Vec3d before = at.position;
@@ -192,7 +210,7 @@ class FamilyTracer {
       if (!isOn) break;
       // What lies this far behind is no longer the stroke's own neighbourhood. To its first
       // points it may come back.
-      if (points.size() > 4 * turn) {
+      if (points.size() > 4 * turn && points.size() % every() == 0) {
         const WalkPoint& behind = points[points.size() - 2 * turn];
         own.add({behind.position - origin_, walk_.normalAt(behind)});
       }
@@ -244,14 +262,19 @@ class FamilyTracer {
     // Numerical Recipes' series modulo 2^32; its upper bits are good.
     random_ = random_ * 1664525u + 1013904223u;
     const double share = (static_cast<double>(random_ >> 8) + 1) / 16777216.0;
-    const double low = isFirstRound_ ? kLowestOfFirst : kLowest;
-    strokes_.rank.push_back(static_cast<float>(high_ * (low + (kHighest - low) * share)));
+    strokes_.rank.push_back(
+        static_cast<float>(high_ * density_ * (kLowest + (kHighest - kLowest) * share)));
     strokes_.isCross.push_back(isCross_ ? 1 : 0);
     strokes_.face.push_back(HatchStrokes::kNoFace);
   }
+  /// Of the points of a stroke those that say where it is, a fifth of the distance apart.
+  std::uint32_t every() const
+  {
+    return std::max(1u, static_cast<std::uint32_t>(0.2 * distance_ / strokes_.step));
+  }
   void enter(std::size_t stroke)
   {
-    for (std::uint32_t i = strokes_.first[stroke]; i < strokes_.first[stroke + 1]; ++i) {
+    for (std::uint32_t i = strokes_.first[stroke]; i < strokes_.first[stroke + 1]; i += every()) {
       const std::uint32_t p = strokes_.vertex[i];
       grid_->add({strokes_.points[p] - origin_, vec3Cast<double>(strokes_.normals[p])});
     }
@@ -278,9 +301,11 @@ class FamilyTracer {
   HatchStrokes& strokes_;
   Vec3d origin_ = {0, 0, 0};
   double distance_ = 0, high_ = 0;
-  bool isFirstRound_ = true;
+  double density_ = 1;  ///< of the strokes that are traced, in those that the round has
   PointGrid* grid_ = nullptr;
+  PointGrid* tried_ = nullptr;  ///< where the round's strokes would be too short
   std::deque<WalkPoint> seeds_;
+  std::vector<SeedLine> seedLines_;
   std::uint32_t random_ = 40961u;
 };
 

@@ -242,6 +242,62 @@ TEST(HatchStrokes, FillASphereEvenlyAndCloseAroundIt)
   EXPECT_GT(static_cast<double>(rings), 0.8 * static_cast<double>(level));
 }
 
+TEST(HatchStrokes, OfABallAreEvenlyApartFromPoleToPole)
+{
+  // Of the first rounds: rings about the y axis, as there are fewest vertices that look along it,
+  // all have one distance along the profile, to the poles as well.
+  const HatchStrokes& strokes = ball().strokes;
+  for (const double rank : {1.0 / 16, 1.0 / 8, 1.0 / 4}) {
+    std::vector<double> rings, profiles;
+    for (std::size_t s = 0; s < strokes.strokeCount(); ++s) {
+      if (static_cast<double>(strokes.rank[s]) > rank) continue;
+      const Vec3d p = normalized(ball().point(strokes.first[s]));
+      if (strokes.isCross[s] == 0) {
+        EXPECT_TRUE(ball().isRing(s));
+        rings.push_back(std::acos(p.y));
+        for (std::uint32_t i = strokes.first[s]; i < strokes.first[s + 1]; ++i)
+          EXPECT_NEAR(std::acos(normalized(ball().point(i)).y), rings.back(), 0.003);
+      } else {
+        for (std::uint32_t i = strokes.first[s]; i + 1 < strokes.first[s + 1]; ++i)
+          if ((ball().point(i).y < 0) != (ball().point(i + 1).y < 0))
+            profiles.push_back(std::atan2(ball().point(i).x, ball().point(i).z));
+      }
+    }
+    std::sort(rings.begin(), rings.end());
+    const double apart = strokes.spacing / rank;
+    for (std::size_t i = 0; i + 1 < rings.size(); ++i)
+      EXPECT_NEAR((rings[i + 1] - rings[i]) / apart, 0.95, 0.02) << rank;
+    EXPECT_LT(rings.front(), 1.15 * apart);
+    EXPECT_GT(rings.back(), kPi - 1.15 * apart);
+    std::sort(profiles.begin(), profiles.end());
+    profiles.push_back(profiles.front() + 2 * kPi);
+    for (std::size_t i = 0; i + 1 < profiles.size(); ++i)
+      EXPECT_LT(profiles[i + 1] - profiles[i], 1.12 * apart) << rank;
+  }
+}
+
+TEST(HatchStrokes, OfACoarseBallAreAsRoundAsItsNormals)
+{
+  const OwnedMesh sphere = testing::sphere(10, 14);
+  Polyhedron mesh;
+  mesh.positions = sphere.positions;
+  mesh.triangles = sphere.triangles;
+  const Hatched coarse(welded(mesh), sphere.positions, 90);
+  std::size_t rings = 0;
+  for (std::size_t s = 0; s < coarse.strokes.strokeCount(); ++s) {
+    if (coarse.strokes.isCross[s] != 0) continue;
+    ASSERT_TRUE(coarse.isRing(s));
+    const Vec3d first = normalized(coarse.point(coarse.strokes.first[s]));
+    double most = 0;
+    for (std::uint32_t i = coarse.strokes.first[s]; i < coarse.strokes.first[s + 1]; ++i)
+      most = std::max(most, std::fabs(normalized(coarse.point(i)).y - first.y));
+    // A quarter of the distance of all strokes.
+    EXPECT_LT(most, 0.25 * coarse.strokes.spacing) << first.y;
+    ++rings;
+  }
+  EXPECT_GT(rings, 150u);
+}
+
 TEST(HatchStrokes, CloseInSpiteOfWhatACoarseMeshStrays)
 {
   // Parallels of a coarse torus drift by more than their distance, each round.

@@ -118,7 +118,7 @@ inline const Hatched& ball()
     Polyhedron mesh;
     mesh.positions = sphere.positions;
     mesh.triangles = sphere.triangles;
-    return Hatched(mesh);
+    return Hatched(welded(mesh));
   }();
   return hatched;
 }

@@ -475,6 +475,10 @@ LineSet SurfaceLines::hatchLinesOf(
     hatchLines(*strokes_, instance.modelToWorld, hatchView, view.threads)));
   LineStyle style = strokeStyleOf(property, view.pixelsPerInch);
   style.width *= static_cast<float>(property->GetHatchWidth());
+  if (style.width <= kMaxLineWidth)
+  {
+    style.width = std::min(style.width * static_cast<float>(kHatchSwell), kMaxLineWidth);
+  }
   style.taper = std::max(style.taper, hatchView.spacing);
   return frame.hatches.back()->lines(style);
 }
