@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/CastShadows.h"
 
+#include "Rendering/Lines/FirstMet.h"
 #include "Rendering/Lines/MendBorder.h"
-#include "Rendering/Lines/ShadowPlane.h"
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
 
@@ -66,17 +66,18 @@ class ShadowFinder {
     const HalfPlane plane(light_, caster.end[0], caster.end[1], world_.size);
     double low, high;
     if (!plane.isProper() || !clipToCone(light_, caster.end[0], caster.end[1], low, high)) return;
-    gather(caster, plane);
-    slices_.clear();
-    for (const std::uint32_t t : found_)
-      if (Slice slice; cut(plane, t, low, high, slice)) {
-        judge(caster, plane, slice);
-        slices_.push_back(slice);
-      }
-    const auto choose = [&](const std::vector<std::uint32_t>& there) {
-      return firstMet(caster, there);
+    for (int k = 0; k < 2; ++k)
+      own_[k] = caster.reach > 0 ? normal(caster.triangle[k]) : Vec3d{0, 0, 0};
+    gather(caster, plane, low, high);
+    const auto choose = [&](const std::vector<std::uint32_t>& there, const auto& isWayOutBehind) {
+      return firstMet(caster, there, isWayOutBehind);
     };
-    for (const Stretch& stretch : FirstMet(slices_).find(choose))
+    if (front_.isAllDark()) return;
+    std::sort(slices_.begin(), slices_.end(),
+              [](const Slice& a, const Slice& b) { return a.triangle < b.triangle; });
+    firstMet_.look(slices_, front_, plane.apart());
+    firstMet_.find(choose, stretches_);
+    for (const Stretch& stretch : stretches_)
       add(number, plane, stretch, pieces);
   }
 
@@ -87,19 +88,50 @@ class ShadowFinder {
     return normalized(cross(world_.corner(triangle, 1) - p, world_.corner(triangle, 2) - p));
   }
 
-  /// Triangles that the half plane may cut, by number, but for those at the caster.
-  void gather(const ShadowCaster& caster, const HalfPlane& plane)
+  /// What the half plane has of triangles, but for those at the caster and what
+  /// light does not come to.
+  void gather(const ShadowCaster& caster, const HalfPlane& plane, double low, double high)
   {
-    found_.clear();
+    slices_.clear();
+    front_.start(low, high);
     const auto isAt = [&](std::uint32_t t) {
       return caster.isContour() ? t == caster.triangle[0]
                                 : has(t, caster.point[0]) && has(t, caster.point[1]);
     };
-    tree_.visit([&](const Box& box) { return plane.meets(box); },
-                [&](std::uint32_t t) {
-                  if (!isAt(t)) found_.push_back(t);
-                });
-    std::sort(found_.begin(), found_.end());
+    // As in FirstMet::dropHidden(), for what rounding does.
+    const double apart = 2 * plane.apart();
+    using Turn = TriangleTree::Turn;
+    const auto turnOf = [&](const Box& box) {
+      HalfPlane::Extent extent;
+      if (front_.isAllDark() || !plane.meets(box, extent)) return Turn::kNever;
+      const auto light = front_.lightAt(extent, apart);
+      if (light == LightFront::Light::kIsDark) return Turn::kNever;
+      if (light == LightFront::Light::kEndsBefore && !mayBeNear(caster, box)) return Turn::kNever;
+      // First what may keep all light from the caster: nothing else counts then.
+      return extent.most < 0 ? Turn::kLater : Turn::kNow;
+    };
+    tree_.visitInTurn(
+        turnOf, [&](const Box& a, const Box& b) { return plane.isBefore(a, b); },
+        [&](std::uint32_t t) {
+          Slice slice;
+          if (isAt(t) || !cut(plane, t, low, high, slice)) return;
+          judge(caster, plane, slice);
+          front_.add(slice);
+          slices_.push_back(slice);
+        },
+        later_);
+  }
+  /// Whether something in a box may lie within the caster's reach.
+  bool mayBeNear(const ShadowCaster& caster, const Box& box) const
+  {
+    if (!(caster.reach > 0)) return false;
+    const double reach = caster.reach * (1 + 1e-9) + 1e-9 * world_.size;
+    const auto isFar = [&](double a, double b, double low, double high) {
+      return std::min(a, b) - high > reach || low - std::max(a, b) > reach;
+    };
+    const Vec3d a = caster.end[0], b = caster.end[1];
+    return !isFar(a.x, b.x, box.low.x, box.high.x) && !isFar(a.y, b.y, box.low.y, box.high.y) &&
+           !isFar(a.z, b.z, box.low.z, box.high.z);
   }
   bool has(std::uint32_t triangle, std::uint32_t point) const
   {
@@ -110,48 +142,46 @@ class ShadowFinder {
   {
     const std::uint32_t t = slice.triangle;
     slice.isOwn = caster.reach > 0 && world_.body[t] == caster.body;
+    slice.isNear = slice.isMatch = false;
+    slice.endsLight = !slice.isOwn;
     if (!slice.isOwn) return;
     const Vec3d own = normal(t);
     const bool showsOut = dot(own, light_.towardLight(world_.corner(t, 0))) > 0;
     slice.isMatch = showsOut == caster.bulgesOut;
     const double u = 0.5 * (slice.u0 + slice.u1);
     const Vec3d way = plane.point(u, slice.at(u)) - plane.point(u, 0);
-    slice.isNear = dot(way, way) <= caster.reach * caster.reach &&
-                   (dot(own, normal(caster.triangle[0])) >= cosine_[caster.body] ||
-                    dot(own, normal(caster.triangle[1])) >= cosine_[caster.body]);
+    slice.isNear =
+        dot(way, way) <= caster.reach * caster.reach &&
+        (dot(own, own_[0]) >= cosine_[caster.body] || dot(own, own_[1]) >= cosine_[caster.body]);
+    slice.endsLight = !slice.isNear &&
+                      (isBeforeCaster(slice) || slice.isMatch || world_.isClosed[caster.body] == 0);
   }
+  static bool isBeforeCaster(const Slice& slice) { return 0.5 * (slice.w0 + slice.w1) >= 0; }
 
   /// What the light meets first, of those in its way.
-  std::uint32_t firstMet(const ShadowCaster& caster, const std::vector<std::uint32_t>& there) const
+  template <class IsWayOutBehind>
+  std::uint32_t firstMet(const ShadowCaster& caster, const std::vector<std::uint32_t>& there,
+                         const IsWayOutBehind& isWayOutBehind) const
   {
     bool isFirst = caster.isContour();
     for (std::size_t i = 0; i < there.size(); ++i) {
       const Slice& slice = slices_[there[i]];
-      if (!slice.isOwn) return there[i];
-      const double w = 0.5 * (slice.w0 + slice.w1);
-      if (w >= 0) {
+      if (slice.endsLight) return there[i];
+      if (isBeforeCaster(slice)) {
         // Facets may stand a little in the way of light that comes along the right side of theirs.
-        if (!slice.isNear || (isFirst && !slice.isMatch)) return there[i];
+        if (isFirst && !slice.isMatch) return there[i];
         isFirst = false;
-        continue;
-      }
-      if (!slice.isMatch) {
-        if (slice.isNear || world_.isClosed[caster.body] != 0) continue;
+      } else if (slice.isMatch && !leaves(there, i) && !isWayOutBehind()) {
         return there[i];
       }
-      if (slice.isNear && leaves(there, i)) continue;
-      return there[i];
     }
     return kNoSlice;
   }
   /// Whether the ray goes out again soon after.
   bool leaves(const std::vector<std::uint32_t>& there, std::size_t i) const
   {
-    for (++i; i < there.size(); ++i) {
-      const Slice& slice = slices_[there[i]];
-      if (slice.isOwn && slice.isNear && !slice.isMatch) return true;
-    }
-    return false;
+    return std::any_of(there.begin() + static_cast<std::ptrdiff_t>(i) + 1, there.end(),
+                       [&](std::uint32_t other) { return slices_[other].isWayOut(); });
   }
 
   bool cut(const HalfPlane& plane, std::uint32_t t, double low, double high, Slice& slice) const
@@ -196,9 +226,13 @@ class ShadowFinder {
   const WorldMesh& world_;
   const TriangleTree& tree_;
   const LightRays& light_;
-  std::vector<double> cosine_;  ///< by body
-  std::vector<std::uint32_t> found_;
+  std::vector<double> cosine_;             ///< by body
+  Vec3d own_[2] = {{0, 0, 0}, {0, 0, 0}};  ///< normals of the caster's faces
+  std::vector<std::uint32_t> later_;
+  LightFront front_;
   std::vector<Slice> slices_;
+  FirstMet firstMet_;
+  std::vector<Stretch> stretches_;
 };
 
 /// Gives ends of pieces that meet one number.

@@ -24,7 +24,10 @@ struct Slice {
   /// Of a smooth caster's own body, and then whether it is next to the caster and shows light the
   /// side to which that bulges.
   bool isOwn, isNear, isMatch;
+  bool endsLight;  ///< of any ray that comes so far
 
+  /// Whether light that comes in next to the caster may go out here again.
+  bool isWayOut() const { return isOwn && isNear && !isMatch; }
   double at(double u) const
   {
     if (u == u0) return w0;
@@ -37,7 +40,7 @@ struct Slice {
 class HalfPlane {
  public:
   HalfPlane(const LightRays& light, Vec3d a, Vec3d b, double size)
-      : isParallel_(light.isParallel), a_(a), e_(b - a), b_(b), size_(size)
+      : isParallel_(light.isParallel), a_(a), e_(b - a), size_(size)
   {
     if (isParallel_) {
       d_ = -light.source;
@@ -46,7 +49,6 @@ class HalfPlane {
       scale_ = dot(across_, across_);
       isProper_ = scale_ > kSmallestSine * kSmallestSine * dot(e_, e_);
       contact_ = kShadowContact * size;
-      towardA_ = across_;
     } else {
       l_ = light.source;
       toA_ = a - l_;
@@ -55,30 +57,49 @@ class HalfPlane {
       scale_ = dot(normal_, normal_);
       const double farA = dot(toA_, toA_), farB = dot(toB_, toB_);
       isProper_ = scale_ > kSmallestSine * kSmallestSine * (farA * farB);
-      contact_ = kShadowContact * size / std::sqrt(std::max(farA, farB));
+      far_ = std::sqrt(std::max(farA, farB));
+      contact_ = kShadowContact * size / far_;
     }
     if (!(scale_ < HUGE_VAL)) isProper_ = false;
+    if (isProper_) prepare();
   }
 
   bool isProper() const { return isProper_; }
   double contact() const { return contact_; }
   double side(Vec3d p) const { return dot(normal_, p - a_); }
 
-  /// False only if nothing of it can lie in the half plane between the rays of A and B.
-  bool meets(const Box& box) const
+  /// How far behind what ends the light something is not looked at, in w: enough for rounding.
+  double apart() const { return std::max(contact_, kShadowRounding); }
+
+  /// Bounds of what a box can have in the half plane: u between u0 and u1, w no more than `most`.
+  struct Extent {
+    double u0, u1, most;
+  };
+  /// False only if nothing of it can lie in the half plane between the rays of A and B. Requires:
+  /// isProper().
+  bool meets(const Box& box, Extent& extent) const
   {
-    const Vec3d middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
-    const auto reach = [&](Vec3d n) {
-      return (std::fabs(n.x) * half.x + std::fabs(n.y) * half.y) + std::fabs(n.z) * half.z;
-    };
-    // What rounding may do to a product with n.
-    const double far = size_ + std::sqrt(dot(middle - a_, middle - a_));
-    const auto slack = [&](Vec3d n) { return 1e-12 * far * std::sqrt(dot(n, n)); };
-    if (std::fabs(dot(normal_, middle - a_)) > reach(normal_) + slack(normal_)) return false;
-    const Vec3d besideA = isParallel_ ? towardA_ : cross(normal_, toA_);
-    const Vec3d besideB = isParallel_ ? towardA_ : cross(normal_, toB_);
-    return dot(besideA, middle - a_) + reach(besideA) + slack(besideA) >= 0 &&
-           dot(besideB, middle - b_) - reach(besideB) - slack(besideB) <= 0;
+    const Vec3d middle = (box.low + box.high) * 0.5 - a_, half = (box.high - box.low) * 0.5;
+    if (std::fabs(through_.at(middle)) > through_.reach(half)) return false;
+    if (besideA_.at(middle) + besideA_.reach(half) < 0 ||
+        besideB_.at(middle) - besideB_.reach(half) > 0)
+      return false;
+    const double u = along_.at(middle), uReach = along_.reach(half);
+    const double w = toward_.at(middle), wReach = toward_.reach(half);
+    extent = {u - uReach, u + uReach, w + wReach};
+    if (isParallel_) return true;
+    const double near = -(w + wReach), far = -(w - wReach);
+    if (near > kShadowNear)
+      extent = {extent.u0 < 0 ? extent.u0 / near : extent.u0 / far,
+                extent.u1 < 0 ? extent.u1 / far : extent.u1 / near, 1.0 / near - 1.0};
+    else
+      extent = {0, 1, HUGE_VAL};
+    return true;
+  }
+  /// Whether the light comes to the first of two boxes before it comes to the second.
+  bool isBefore(const Box& first, const Box& second) const
+  {
+    return dot(toward_.of, (first.low + first.high) - (second.low + second.high)) > 0;
   }
 
   /// Of the straight line from p to q in the plane, between u = low and high. False if nothing.
@@ -109,6 +130,42 @@ class HalfPlane {
   }
 
  private:
+  /// Linear in a place seen from A.
+  struct Functional {
+    Functional() = default;
+    Functional(Vec3d v, Vec3d origin, double far)
+        : of(v),
+          size{std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)},
+          atOrigin(dot(v, origin)),
+          rounding(1e-12 * far * std::sqrt(dot(v, v)))
+    {
+    }
+    double at(Vec3d p) const { return dot(of, p) - atOrigin; }
+    /// The most by which a box differs from its middle, rounding included.
+    double reach(Vec3d half) const { return dot(size, half) + rounding; }
+
+    Vec3d of = {0, 0, 0}, size = {0, 0, 0};
+    double atOrigin = 0, rounding = 0;
+  };
+  void prepare()
+  {
+    // All of the scene is no farther away than its size, if a little more for curved patches.
+    const double far = 4 * size_ + far_;
+    const Vec3d none = {0, 0, 0};
+    through_ = Functional(normal_, none, far);
+    besideA_ = Functional(isParallel_ ? across_ : cross(normal_, toA_), none, far);
+    besideB_ = Functional(isParallel_ ? across_ : cross(normal_, toB_), e_, far);
+    if (isParallel_) {
+      along_ = Functional(across_ * (1.0 / scale_), none, far);
+      toward_ = Functional(across_ * (dot(e_, d_) / scale_) - d_, none, far);
+    } else {
+      const Vec3d ofA = cross(toB_, normal_) * (1.0 / scale_);
+      const Vec3d ofB = cross(normal_, toA_) * (1.0 / scale_);
+      along_ = Functional(ofB, -toA_, far);
+      toward_ = Functional(-(ofA + ofB), -toA_, far);
+    }
+  }
+
   bool place(Vec3d p, Vec3d q, Slice& slice) const
   {
     if (isParallel_) {
@@ -147,99 +204,13 @@ class HalfPlane {
   }
 
   bool isParallel_, isProper_ = false;
-  Vec3d a_, e_, b_ = {0, 0, 0};
+  Vec3d a_, e_;
   Vec3d l_ = {0, 0, 0}, d_ = {0, 0, 0}, toA_ = {0, 0, 0}, toB_ = {0, 0, 0};
-  Vec3d normal_ = {0, 0, 0}, across_ = {0, 0, 0}, towardA_ = {0, 0, 0};
-  double scale_ = 0, contact_ = 0, size_ = 0;
-};
-
-inline constexpr std::uint32_t kNoSlice = 0xFFFFFFFFu;
-
-/// A stretch of u in which one slice is before all others.
-struct Stretch {
-  double u0, u1;
-  std::uint32_t slice;
-};
-
-/// Which of many slices, in the order of their triangles, is the first that light meets. Goes along
-/// u with those that are there, so that of a surface cut at many places few are compared.
-class FirstMet {
- public:
-  explicit FirstMet(const std::vector<Slice>& slices) : slices_(slices), byStart_(slices.size())
-  {
-    for (std::size_t i = 0; i < byStart_.size(); ++i)
-      byStart_[i] = static_cast<std::uint32_t>(i);
-    std::sort(byStart_.begin(), byStart_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return slices_[a].u0 != slices_[b].u0 ? slices_[a].u0 < slices_[b].u0 : a < b;
-    });
-  }
-
-  /// choose(those there, the nearest to the light first) gives one of them, or kNoSlice.
-  template <class Choose>
-  std::vector<Stretch> find(const Choose& choose) const
-  {
-    const std::vector<double> stops = this->stops();
-    std::vector<Stretch> result;
-    std::vector<std::uint32_t> there;
-    std::size_t next = 0;
-    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
-      const double u0 = stops[i], u1 = stops[i + 1];
-      while (next < byStart_.size() && slices_[byStart_[next]].u0 <= u0)
-        there.push_back(byStart_[next++]);
-      leave(u0, there);
-      const std::uint32_t first = choose(inOrder(0.5 * (u0 + u1), there));
-      if (first == kNoSlice) continue;
-      if (!result.empty() && result.back().slice == first && result.back().u1 == u0)
-        result.back().u1 = u1;
-      else
-        result.push_back({u0, u1, first});
-    }
-    return result;
-  }
-
- private:
-  /// Takes out what has ended.
-  void leave(double u, std::vector<std::uint32_t>& there) const
-  {
-    there.erase(std::remove_if(there.begin(), there.end(),
-                               [&](std::uint32_t i) { return slices_[i].u1 <= u; }),
-                there.end());
-  }
-  /// Where a slice begins or ends or two cross, each once.
-  std::vector<double> stops() const
-  {
-    std::vector<double> stops;
-    std::vector<std::uint32_t> there;
-    for (const std::uint32_t i : byStart_) {
-      stops.push_back(slices_[i].u0);
-      stops.push_back(slices_[i].u1);
-      leave(slices_[i].u0, there);
-      for (const std::uint32_t j : there)
-        addCrossing(slices_[std::min(i, j)], slices_[std::max(i, j)], stops);
-      there.push_back(i);
-    }
-    std::sort(stops.begin(), stops.end());
-    stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
-    return stops;
-  }
-  static void addCrossing(const Slice& p, const Slice& q, std::vector<double>& stops)
-  {
-    const double low = std::max(p.u0, q.u0), high = std::min(p.u1, q.u1);
-    const double atLow = p.at(low) - q.at(low), atHigh = p.at(high) - q.at(high);
-    if ((atLow < 0) != (atHigh < 0))
-      stops.push_back(low + (high - low) * (atLow / (atLow - atHigh)));
-  }
-  std::vector<std::uint32_t> inOrder(double u, std::vector<std::uint32_t> there) const
-  {
-    std::sort(there.begin(), there.end(), [&](std::uint32_t a, std::uint32_t b) {
-      const double wa = slices_[a].at(u), wb = slices_[b].at(u);
-      return wa != wb ? wa > wb : a < b;
-    });
-    return there;
-  }
-
-  const std::vector<Slice>& slices_;
-  std::vector<std::uint32_t> byStart_;
+  Vec3d normal_ = {0, 0, 0}, across_ = {0, 0, 0};
+  double scale_ = 0, contact_ = 0, size_ = 0, far_ = 0;
+  Functional through_, besideA_, besideB_;
+  Functional along_;   ///< u; of a point's rays u times s = 1 / (1 + w), from the light
+  Functional toward_;  ///< w; of a point's rays -s
 };
 
 }  // namespace limn

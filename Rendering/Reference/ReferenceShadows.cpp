@@ -3,7 +3,6 @@
 #include "Rendering/Reference/ReferenceShadows.h"
 
 #include "Rendering/Base/Power.h"
-#include "Rendering/Mesh/LocalPosition.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +14,7 @@ namespace {
 struct Line {
   double u0, w0, u1, w1;
   std::uint32_t triangle;
+  bool endsLight, isWayOut;  ///< whatever else is met
 
   double w(double u) const
   {
@@ -60,21 +60,19 @@ class Shadow {
       if (Line line; !world_.isBroken(t) && !isAtCaster(t) && cut(t, line) && line.u1 > low &&
                      line.u0 < high) {
         line.cutAt(low, high);
+        line.endsLight = endsLight(line);
+        line.isWayOut = isOwn(line) && isNextTo(line) && !isOnRightSide(line);
         lines.push_back(line);
       }
-    std::vector<double> stops;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      stops.push_back(lines[i].u0);
-      stops.push_back(lines[i].u1);
-      for (std::size_t j = 0; j < i; ++j)
-        addCrossing(lines[j], lines[i], stops);
-    }
-    std::sort(stops.begin(), stops.end());
+    const Steps steps = stepsOf(low, high, lines);
+    const std::vector<double> stops = stopsOf(lines, steps);
     const Line* before = nullptr;
     double since = 0;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       if (!(stops[i] < stops[i + 1])) continue;
-      const Line* const first = firstOn(stops[i], stops[i + 1], lines);
+      const Line* const first = steps.areDarkAt(0.5 * (stops[i] + stops[i + 1]))
+                                    ? nullptr
+                                    : firstOn(stops[i], stops[i + 1], lines);
       if (first != before) {
         if (before != nullptr) add(number, *before, since, stops[i], pieces);
         before = first;
@@ -192,7 +190,7 @@ class Shadow {
     } else if (!placeFromPoint(ends[0], ends[1], line)) {
       return false;
     }
-    if (line.u0 > line.u1) line = {line.u1, line.w1, line.u0, line.w0, t};
+    if (line.u0 > line.u1) line = {line.u1, line.w1, line.u0, line.w0, t, false, false};
     return line.u0 < line.u1;
   }
   void placeParallel(Vec3d x, double& u, double& w) const
@@ -221,13 +219,79 @@ class Shadow {
     return true;
   }
 
-  static void addCrossing(const Line& p, const Line& q, std::vector<double>& stops)
+  /// Of a line that is not next to the caster: what firstOn() does not pass by.
+  bool endsLight(const Line& line) const
+  {
+    if (!isOwn(line)) return true;
+    if (isNextTo(line)) return false;
+    return isBefore(line) || isOnRightSide(line) || world_.isClosed[caster_.body] == 0;
+  }
+
+  /// The caster's steps, and in which one triangle alone keeps the light from all of it.
+  struct Steps {
+    double start[kShadowSteps + 1];
+    bool isDark[kShadowSteps];
+
+    bool areDarkAt(double u) const
+    {
+      const auto after = std::count_if(start + 1, start + kShadowSteps,
+                                       [&](double border) { return border <= u; });
+      return isDark[after];
+    }
+  };
+  static Steps stepsOf(double low, double high, const std::vector<Line>& lines)
+  {
+    Steps steps;
+    for (int k = 0; k < kShadowSteps; ++k)
+      steps.start[k] = low + (high - low) * (k * (1.0 / kShadowSteps));
+    steps.start[kShadowSteps] = high;
+    for (int k = 0; k < kShadowSteps; ++k) {
+      const double from = steps.start[k], to = steps.start[k + 1];
+      steps.isDark[k] = std::any_of(lines.begin(), lines.end(), [&](const Line& line) {
+        return line.endsLight && line.u0 <= from && line.u1 >= to && line.w(from) >= 0 &&
+               line.w(to) >= 0;
+      });
+    }
+    return steps;
+  }
+
+  /// Where lines begin, end and cross, in order, and where dark steps do.
+  std::vector<double> stopsOf(const std::vector<Line>& lines, const Steps& steps) const
+  {
+    std::vector<double> stops;
+    for (int k = 1; k < kShadowSteps; ++k)
+      if (steps.isDark[k] != steps.isDark[k - 1]) stops.push_back(steps.start[k]);
+    const auto add = [&](const Line& line, double u) {
+      if (!steps.areDarkAt(u) && !isHidden(line, u, lines)) stops.push_back(u);
+    };
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      for (const double end : {lines[i].u0, lines[i].u1})
+        if (!lines[i].isWayOut)
+          add(lines[i], end);
+        else if (!steps.areDarkAt(end))
+          stops.push_back(end);
+      for (std::size_t j = 0; j < i; ++j)
+        if (double u; meet(lines[j], lines[i], u)) add(lines[j], u);
+    }
+    std::sort(stops.begin(), stops.end());
+    return stops;
+  }
+  static bool meet(const Line& p, const Line& q, double& u)
   {
     const double low = std::max(p.u0, q.u0), high = std::min(p.u1, q.u1);
-    if (!(low < high)) return;
+    if (!(low < high)) return false;
     const double atLow = p.w(low) - q.w(low), atHigh = p.w(high) - q.w(high);
-    if ((atLow < 0) != (atHigh < 0))
-      stops.push_back(low + (high - low) * (atLow / (atLow - atHigh)));
+    u = low + (high - low) * (atLow / (atLow - atHigh));
+    return (atLow < 0) != (atHigh < 0);
+  }
+  /// Whether light ends there before the line, by more than rounding.
+  bool isHidden(const Line& line, double u, const std::vector<Line>& lines) const
+  {
+    const double behind =
+        line.w(std::clamp(u, line.u0, line.u1)) + std::max(contact(), kShadowRounding);
+    return std::any_of(lines.begin(), lines.end(), [&](const Line& other) {
+      return other.endsLight && other.u0 <= u && other.u1 >= u && other.w(u) > behind;
+    });
   }
   /// The part of the edge inside of a spot's cone.
   bool coneHolds(double& low, double& high) const
@@ -275,14 +339,18 @@ class Shadow {
     if (light_.isParallel) return p + light_.source * w;
     return light_.source + (p - light_.source) * (1.0 / (1.0 + w));
   }
+  /// Too little to count, in w.
+  double contact() const
+  {
+    const double contact = kShadowContact * world_.size;
+    if (light_.isParallel) return contact;
+    const Vec3d toA = a_ - light_.source, toB = b_ - light_.source;
+    return contact / std::sqrt(std::max(dot(toA, toA), dot(toB, toB)));
+  }
   void add(std::uint32_t number, const Line& line, double u0, double u1,
            std::vector<ShadowPiece>& pieces) const
   {
-    double contact = kShadowContact * world_.size;
-    if (!light_.isParallel) {
-      const Vec3d toA = a_ - light_.source, toB = b_ - light_.source;
-      contact = contact / std::sqrt(std::max(dot(toA, toA), dot(toB, toB)));
-    }
+    const double contact = this->contact();
     const bool isBehind0 = line.w(u0) < -contact, isBehind1 = line.w(u1) < -contact;
     if (!isBehind0 && !isBehind1) return;
     const double limit =
@@ -300,64 +368,6 @@ class Shadow {
   Vec3d a_, b_, e_;
 };
 
-/// A triangle's corners in the order of their numbers.
-Triangle sorted(Triangle triangle)
-{
-  std::sort(triangle.vertex, triangle.vertex + 3);
-  return triangle;
-}
-
-double size1(Vec3d v)
-{
-  return (std::fabs(v.x) + std::fabs(v.y)) + std::fabs(v.z);
-}
-
-/// Whether the edge from p to q goes through a triangle, and where. What touches it counts as moved
-/// if `isMoved`, else the triangle does.
-bool goesThrough(const WorldMesh& world, std::uint32_t p, std::uint32_t q, std::uint32_t triangle,
-                 bool isMoved, CutPoint& cut)
-{
-  const Triangle through = sorted(world.triangles[triangle]);
-  const Vec3d a = world.points[through.vertex[0]], b = world.points[through.vertex[1]],
-              c = world.points[through.vertex[2]];
-  const Vec3d from = world.points[p], to = world.points[q];
-  const Vec3d n = cross(b - a, c - a);
-  const double atFrom = dot(n, from - a), atTo = dot(n, to - a);
-  const double rounding = kCutRounding * world.size;
-  const auto isAbove = [&](double volume, double area, Vec3d gradient) {
-    if (std::fabs(volume) > rounding * area) return volume > 0;
-    return (dot(gradient, kCutMove) >= 0) == isMoved;
-  };
-  const double area = size1(b - a) * size1(c - a);
-  if (isAbove(atFrom, area, n) == isAbove(atTo, area, n)) return false;
-  const auto turns = [&](Vec3d x, Vec3d y) {
-    const Vec3d side = (y - from) - (x - from);
-    return isAbove(dot(to - from, cross(x - from, y - from)), size1(to - from) * size1(side),
-                   cross(to - from, side));
-  };
-  if (turns(a, b) != turns(b, c) || turns(b, c) == turns(a, c)) return false;
-  cut = {{p, q}, triangle, from + (to - from) * (atFrom / (atFrom - atTo))};
-  return true;
-}
-
-bool boxesMeet(const WorldMesh& world, const Triangle& s, const Triangle& t)
-{
-  Box first, second;
-  for (const std::uint32_t v : s.vertex)
-    first.add(world.points[v]);
-  for (const std::uint32_t v : t.vertex)
-    second.add(world.points[v]);
-  const Vec3d before = first.high - second.low, after = second.high - first.low;
-  return std::min({before.x, before.y, before.z, after.x, after.y, after.z}) >=
-         -kCutBoxRoundings * (kCutRounding * world.size);
-}
-
-bool shareAPoint(const Triangle& s, const Triangle& t)
-{
-  return std::any_of(s.vertex, s.vertex + 3,
-                     [&](std::uint32_t p) { return std::count(t.vertex, t.vertex + 3, p) > 0; });
-}
-
 }  // namespace
 
 std::vector<ShadowPiece> shadowPieces(const WorldMesh& world, const LightRays& light,
@@ -367,29 +377,6 @@ std::vector<ShadowPiece> shadowPieces(const WorldMesh& world, const LightRays& l
   std::vector<ShadowPiece> pieces;
   for (std::uint32_t c = 0; c < casters.size(); ++c)
     Shadow(world, light, casters[c], creaseDegrees[casters[c].body]).cast(c, pieces);
-  return pieces;
-}
-
-std::vector<CutPiece> intersections(const WorldMesh& world, Span<const std::uint8_t> isWanted)
-{
-  std::vector<CutPiece> pieces;
-  const auto count = static_cast<std::uint32_t>(world.triangles.size());
-  for (std::uint32_t s = 0; s < count; ++s)
-    for (std::uint32_t t = s + 1; t < count; ++t) {
-      if (world.isBroken(s) || world.isBroken(t)) continue;
-      if (isWanted[world.body[s]] == 0 && isWanted[world.body[t]] == 0) continue;
-      const Triangle first = sorted(world.triangles[s]), second = sorted(world.triangles[t]);
-      if (world.body[s] == world.body[t] && shareAPoint(first, second)) continue;
-      if (!boxesMeet(world, first, second)) continue;
-      const bool isFirstMoved = world.body[s] > world.body[t];
-      std::vector<CutPoint> ends;
-      for (const auto& [triangle, other] : {std::pair{first, t}, std::pair{second, s}})
-        for (const auto& [i, j] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}})
-          if (CutPoint cut; goesThrough(world, triangle.vertex[i], triangle.vertex[j], other,
-                                        (other == t) == isFirstMoved, cut))
-            ends.push_back(cut);
-      if (ends.size() == 2) pieces.push_back({{s, t}, {ends[0], ends[1]}});
-    }
   return pieces;
 }
 

@@ -16,7 +16,10 @@
 /// line, w linear in u. For each u the ray ends at the triangle of the largest w (of equal ones the
 /// first), all but those at the caster itself: a w above 0 keeps the light from the caster, and
 /// where it is below 0 the triangle has the border of a shadow. Nearer to the caster than
-/// kShadowContact times the scene's size it has none.
+/// kShadowContact times the scene's size it has none. The ray is looked at between all places where
+/// a triangle begins, ends or cuts another, but for those that lie so much behind where it ends,
+/// or kShadowRounding if that is more; and not at all in those of kShadowSteps even steps of the
+/// caster that one triangle alone keeps dark: no border comes of either.
 ///
 /// Facets stand a little beside the surface that they stand for. So of the caster's own body, where
 /// that is curved, a ray goes on: within `reach` of the caster and within the crease angle of its
@@ -26,6 +29,8 @@ namespace limn {
 
 /// As a share of WorldMesh::size.
 inline constexpr double kShadowContact = 1e-6;
+inline constexpr double kShadowRounding = 1e-12;  ///< of w
+inline constexpr int kShadowSteps = 16;
 /// Rays are followed from this share of their way to the edge on.
 inline constexpr double kShadowNear = 1e-6;
 /// A caster's reach, in sides of its facets: the longest at contours, the shortest at edges.

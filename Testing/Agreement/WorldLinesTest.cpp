@@ -16,6 +16,7 @@ namespace limn {
 namespace {
 
 constexpr std::uint64_t kHashOfShadows = 8817568399245522993u;
+constexpr std::uint64_t kHashOfSoupShadows = 9763850317719148289u;
 constexpr std::uint64_t kHashOfIntersections = 84245614203796633u;
 constexpr int kSeeds = 400;
 
@@ -198,6 +199,67 @@ TEST(WorldLines, ShadowsAreLikeTheReferences)
   EXPECT_GT(contours, 1000u);
   std::cout << "kHashOfShadows " << hash.value() << '\n';
   EXPECT_EQ(hash.value(), kHashOfShadows);
+}
+
+/// Triangles between random ones of random points, much that shadows much, over a floor that lies
+/// in a plane with some of them.
+testing::Polyhedron soup(std::mt19937& random, std::uint32_t triangles)
+{
+  const auto share = [&] { return static_cast<double>(random() >> 8) * 0x1p-24; };
+  const std::uint32_t points = triangles / 2;
+  const auto corner = [&] {
+    return static_cast<std::uint32_t>(share() * static_cast<double>(points));
+  };
+  testing::Polyhedron mesh = testing::plane(2);
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (std::uint32_t i = 0; i < points; ++i) {
+    const double x = 2 * share() - 1, y = 2 * share() - 1, z = i % 4 == 0 ? 0 : share();
+    mesh.positions.push_back(vec3Cast<float>(Vec3d{x, y, z}));
+  }
+  for (std::uint32_t i = 0; i < triangles; ++i) {
+    const std::uint32_t a = corner(), b = corner(), c = corner();
+    mesh.triangles.push_back({{first + a, first + b, first + c}});
+  }
+  return mesh;
+}
+
+// With many triangles in the way of each ray: what is left out early is never met.
+TEST(WorldLines, ShadowsOfSoupAreLikeTheReferences)
+{
+  Hash hash;
+  std::size_t count = 0;
+  for (std::uint32_t seed = 0; seed < 12; ++seed) {
+    std::mt19937 random(seed);
+    const testing::Polyhedron mesh = soup(random, 80), other = soup(random, 40);
+    const std::vector<PlacedMesh> placed = {{mesh.view(), Mat4d::identity()},
+                                            {other.view(), translation({0, 0, -0.2})}};
+    const std::vector<std::uint8_t> wanted = {1, 1};
+    const std::vector<double> creaseDegrees(2, seed % 2 == 0 ? 40.0 : 180.0);
+    WorldMesh world;
+    WorldNormals normals;
+    ASSERT_TRUE(buildWorldMesh(placed, wanted, 2, world).ok());
+    ASSERT_TRUE(worldNormals(world, creaseDegrees, 2, normals).ok());
+    const TriangleTree tree(world);
+    LightRays light = testing::sunlight({0.3, 0.2 * seed - 1, -1});
+    if (seed % 3 == 1) light = testing::lamp({0.4, -0.2, 0.2 * seed});
+    if (seed % 3 == 2) light = {false, {0.5, 0.3, 3}, true, normalized(Vec3d{-0.2, 0, -1}), 0.97};
+    auto casters = reference::shadowCasters(world, normals, light);
+    // Light goes on through what is nearer to contours: of some of it, and of a body that it cannot
+    // end in from inside.
+    world.isClosed[0] = seed % 4 == 3 ? 1 : 0;
+    for (ShadowCaster& caster : casters)
+      if (caster.isContour() && seed % 2 == 1) caster.reach = 0.1 * seed;
+    const auto expected = reference::shadowPieces(world, light, casters, creaseDegrees);
+    expectSame(shadowPieces(world, tree, light, casters, creaseDegrees, 2), expected, seed);
+    for (const ShadowPiece& piece : expected) {
+      hash.add(piece.from);
+      hash.add(piece.to);
+    }
+    count += expected.size();
+  }
+  EXPECT_GT(count, 500u);
+  std::cout << "kHashOfSoupShadows " << hash.value() << '\n';
+  EXPECT_EQ(hash.value(), kHashOfSoupShadows);
 }
 
 TEST(WorldLines, IntersectionsAreLikeTheReferences)
