@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLimnToneLegend.h"
 
-#include "Private/StyleFromProperty.h"
 #include "Private/ToneLegendPicture.h"
+#include "Private/UnusableValues.h"
 
 #include "vtkLimnProperty.h"
 

@@ -10,14 +10,13 @@ namespace limn {
 
 Status checkProcedural(const ProceduralTexture& texture, const std::string& name)
 {
-  constexpr float kMost = 1e6f;
   for (const Vec4f color : {texture.colorA, texture.colorB})
     for (const float channel : {color.x, color.y, color.z, color.w})
       if (!(std::fabs(channel) <= kLargestTexel))
         return {Error::kNotFinite, name + ": a colour is not a number up to 1e27."};
-  if (!(texture.scale > 0 && texture.scale <= kMost))
+  if (!(texture.scale > 0 && texture.scale <= kMostProcedural))
     return {Error::kNotFinite, name + ": its scale is not above 0 and up to 1e6."};
-  if (!(texture.turbulence >= 0 && texture.turbulence <= kMost))
+  if (!(texture.turbulence >= 0 && texture.turbulence <= kMostProcedural))
     return {Error::kNotFinite, name + ": its turbulence is not between 0 and 1e6."};
   return {};
 }

@@ -43,9 +43,12 @@ struct ProceduralTexture {
   float turbulence = 0;  ///< how far noise moves rings and veins, in periods; not for kChecker
 };
 
+/// The largest scale and turbulence.
+inline constexpr float kMostProcedural = 1e6f;
+
 /// Errors: kNotFinite for a colour that is not a number up to kLargestTexel, a scale that is not
-/// above 0 or above 1e6, a turbulence that is not between 0 and 1e6; the message begins with
-/// `name`.
+/// above 0 or above kMostProcedural, a turbulence that is not between 0 and that; the message
+/// begins with `name`.
 Status checkProcedural(const ProceduralTexture& texture, const std::string& name);
 
 /// RGBA at a point of the texture's space. All points are allowed: a coordinate of q that is not

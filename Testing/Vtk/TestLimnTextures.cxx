@@ -584,7 +584,7 @@ void checkValues()
     { "LightmapIntensity",
       [nan](vtkLimnProperty* property) { property->SetLightmapIntensity(nan); } },
     { "NormalScale", [nan](vtkLimnProperty* property) { property->SetNormalScale(nan); } },
-    { "scale",
+    { "ProceduralScale",
       [](vtkLimnProperty* property)
       {
         property->SetProceduralTextureToWood();

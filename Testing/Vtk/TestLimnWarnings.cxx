@@ -242,8 +242,7 @@ void checkBrokenReflection()
     { "HatchInk of its vtkLimnProperty has the value -1; it has to be a finite number, not "
       "negative.",
       [](vtkLimnProperty* property) { property->SetHatchInk(0, -1, 0); } },
-    { "ExaggerationExponent of its vtkLimnProperty has the value nan; it has to be a finite "
-      "number.",
+    { "ExaggerationExponent of its vtkLimnProperty has the value nan; it has to be from -4 to 4.",
       [](vtkLimnProperty* property)
       { property->SetExaggerationExponent(std::numeric_limits<double>::quiet_NaN()); } },
     { "ToonRampRange of its vtkLimnProperty has the value 5; it has to be above 0 and below the "

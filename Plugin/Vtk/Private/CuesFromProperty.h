@@ -5,8 +5,6 @@
 
 #include "Rendering/DepthCues.h"
 
-#include <string>
-
 class vtkProperty;
 
 namespace limn::bridge
@@ -14,10 +12,6 @@ namespace limn::bridge
 
 /// The depth cues that the property asks for, in a window of so many pixels an inch.
 DepthCues cuesOf(vtkProperty* property, double pixelsPerInch);
-
-/// The first value of cues that are asked for that cannot be drawn, in words; empty if there is
-/// none.
-std::string unusableCueOf(vtkProperty* property);
 
 } // namespace limn::bridge
 

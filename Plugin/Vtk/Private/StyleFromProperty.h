@@ -7,8 +7,6 @@
 
 #include "Rendering/Scene.h"
 
-#include <string>
-
 class vtkLimnProperty;
 class vtkProperty;
 
@@ -16,9 +14,6 @@ namespace limn::bridge
 {
 
 Material materialOf(vtkProperty* property);
-
-/// The first value of VTK's own that no material can have, in words; empty if there is none.
-std::string unusableValueOf(vtkProperty* property);
 
 /// How the property wants `mesh` shaded; the rules of VTK's shaders unless it is a vtkLimnProperty
 /// that chooses something else.

@@ -6,6 +6,7 @@
 #include "MapperInternals.h"
 #include "SceneFromRenderer.h"
 #include "StyleFromProperty.h"
+#include "UnusableValues.h"
 
 #include "vtkLimnActor.h"
 #include "vtkLimnProperty.h"

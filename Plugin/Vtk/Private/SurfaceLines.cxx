@@ -54,10 +54,12 @@ LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch)
     property->GetStrokeWidth() * pixelsPerUnit(property->GetStrokeUnit(), pixelsPerInch));
   style.outerFactor = static_cast<float>(property->GetOuterWidthFactor());
   style.taper = static_cast<float>(property->GetStrokeTaper());
-  if (property->GetStrokeDash() > 0 && property->GetStrokeGap() > 0)
+  const auto dash = static_cast<float>(property->GetStrokeDash());
+  const auto gap = static_cast<float>(property->GetStrokeGap());
+  if (dash > 0 && gap > 0)
   {
-    style.dash = static_cast<float>(property->GetStrokeDash());
-    style.gap = static_cast<float>(property->GetStrokeGap());
+    style.dash = dash;
+    style.gap = gap;
   }
   switch (property->GetHiddenLines())
   {
@@ -85,22 +87,16 @@ bool isSamePlace(const Mat4d& a, const Mat4d& b)
   return true;
 }
 
-Status checkStroke(const LineStyle& style)
+Status checkStroke(const LineStyle& style, const char* name)
 {
-  const std::pair<const char*, float> all[] = { { "StrokeWidth", style.width },
-    { "OuterWidthFactor", style.outerFactor } };
-  for (const auto& [name, value] : all)
+  if (style.width > 0 && style.width <= kMaxLineWidth)
   {
-    if (!(value <= kMaxLineWidth))
-    {
-      std::ostringstream text;
-      text << name << " of its vtkLimnProperty is " << value
-           << (name == all[0].first ? " pixels" : "") << "; it has to be at most " << kMaxLineWidth
-           << ".";
-      return { Error::kNotFinite, text.str() };
-    }
+    return {};
   }
-  return {};
+  std::ostringstream text;
+  text << name << " of its vtkLimnProperty is " << style.width
+       << " pixels; it has to be above 0, at most " << kMaxLineWidth << ".";
+  return { Error::kNotFinite, text.str() };
 }
 
 bool wantsLines(vtkProperty* property)
@@ -542,6 +538,11 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
       return status;
     }
     sets->push_back(this->hatchLinesOf(property, view, instance, frame));
+    if (Status status = checkStroke(sets->back().style, "HatchWidth times StrokeWidth");
+        !status.ok())
+    {
+      return status;
+    }
   }
   for (std::size_t i = firstEdges; i < frame.edges.size(); ++i)
   {

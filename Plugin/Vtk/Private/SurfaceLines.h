@@ -27,8 +27,8 @@ bool wantsLines(vtkProperty* property);
 
 /// How a property's lines look.
 LineStyle strokeStyleOf(vtkLimnProperty* property, double pixelsPerInch);
-/// Whether they can be drawn; an error names what is at fault as the property does.
-Status checkStroke(const LineStyle& style);
+/// Whether they are of a width that can be drawn; an error names it as the property does.
+Status checkStroke(const LineStyle& style, const char* name = "StrokeWidth");
 
 /// What all lines of one frame depend on.
 struct LineView
