@@ -23,6 +23,18 @@ bool HasDecal(vtkActor* actor)
   return property && property->GetTextureMode() == vtkLimnProperty::TEXTURE_DECAL;
 }
 
+// No vtkCamera comes nearer to what it looks at.
+constexpr double SmallestSize = 1e-20;
+// Squares of distances are floats, with room for how far away a camera is.
+constexpr double LargestSize = 1e18;
+
+// The diagonal; 0 if there is no box.
+double SizeOf(const double* bounds)
+{
+  const double sides[3] = { bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] };
+  return sides[0] < 0 ? 0 : std::hypot(sides[0], sides[1], sides[2]);
+}
+
 bool IsInLimnWindow(vtkViewport* viewport)
 {
   return vtkLimnRenderWindow::SafeDownCast(viewport->GetVTKWindow()) != nullptr;
@@ -93,6 +105,27 @@ vtkTypeBool vtkLimnActor::HasTranslucentPolygonalGeometry()
   this->Texture = texture;
   // VTK would render that in no pass, and nobody would hear of it.
   return isTranslucent || std::isnan(this->GetProperty()->GetOpacity());
+}
+
+//------------------------------------------------------------------------------
+double* vtkLimnActor::GetBounds()
+{
+  double* bounds = this->Superclass::GetBounds();
+  const double size = bounds ? SizeOf(bounds) : 0;
+  const bool isSmall = size > 0 && size < SmallestSize;
+  const bool isLarge = size > LargestSize;
+  if ((isSmall || isLarge) && !(size == this->FaultySize))
+  {
+    vtkWarningMacro(
+      "Its size in the world is "
+      << size
+      << (isSmall
+             ? "; nearer than 1e-20 no vtkCamera comes, and there may be nothing to see: scale "
+               "it up."
+             : "; above 1e+18 it is not lit as it should be: scale it down."));
+  }
+  this->FaultySize = isSmall || isLarge ? size : 0;
+  return bounds;
 }
 
 //------------------------------------------------------------------------------

@@ -42,6 +42,13 @@ public:
   vtkTypeBool HasTranslucentPolygonalGeometry() override;
   ///@}
 
+  /**
+   * As vtkActor's. Warns of sizes that cannot be drawn as they should be: below 1e-20, nearer than
+   * which no vtkCamera comes, and above 1e18, where squares of distances overflow.
+   */
+  using Superclass::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+
   vtkProperty* MakeProperty() override;
 
   /**
@@ -54,6 +61,8 @@ protected:
   ~vtkLimnActor() override = default;
 
 private:
+  double FaultySize = 0.0; // that was last warned of
+
   vtkLimnActor(const vtkLimnActor&) = delete;
   void operator=(const vtkLimnActor&) = delete;
 };

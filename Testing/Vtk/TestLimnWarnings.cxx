@@ -170,6 +170,50 @@ void checkFlattenedMeshes()
   }
 }
 
+// vtkCamera keeps a distance, and floats overflow, where nothing else is at fault.
+void checkSizes()
+{
+  const struct
+  {
+    double size;
+    const char* message;
+  } cases[] = { { 1e-25, "there may be nothing to see: scale it up" }, { 1e-15, nullptr },
+    { 1e15, nullptr }, { 1e25, "it is not lit as it should be: scale it down" } };
+  for (const auto& one : cases)
+  {
+    Stage stage;
+    stage.Actor->GetProperty()->LightingOff();
+    vtkSmartPointer<vtkPolyData> data = twoSquares();
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      const double* const p = data->GetPoint(i);
+      points->InsertNextPoint(p[0] * one.size, p[1] * one.size, p[2] * one.size);
+    }
+    data->SetPoints(points);
+    stage.Mapper->SetInputData(data);
+    Messages messages;
+    stage.Renderer->ResetCamera();
+    const int pixels = render(stage.Window).CountOtherThan(Black);
+    CHECK(pixels > 0 || one.message);
+    CHECK_EQUAL(messages.Count("Its size in the world is"), one.message ? 1 : 0);
+    CHECK_EQUAL(messages.Count(one.message ? one.message : "scale it"), one.message ? 1 : 0);
+    stage.Renderer->GetActiveCamera()->Zoom(0.9);
+    render(stage.Window);
+    CHECK_EQUAL(messages.Count("Its size in the world is"), one.message ? 1 : 0);
+
+    // An actor's own scale mends it.
+    stage.Actor->SetScale(1 / one.size);
+    messages.Forget();
+    stage.Renderer->GetActiveCamera()->SetPosition(0, 0, 1);
+    stage.Renderer->GetActiveCamera()->SetFocalPoint(0, 0, 0);
+    stage.Renderer->ResetCamera();
+    CHECK(render(stage.Window).CountOtherThan(Black) > 0);
+    CHECK_EQUAL(messages.GetText(), "");
+  }
+}
+
 // One actor's fault does not take the others from the picture.
 void checkBrokenActor()
 {
@@ -356,6 +400,7 @@ int TestLimnWarnings(int, char*[])
   checkOtherProps();
   checkBrokenMeshes();
   checkFlattenedMeshes();
+  checkSizes();
   checkBrokenActor();
   checkBrokenProperty();
   checkBrokenReflection();
