@@ -58,9 +58,16 @@ struct ImageOutline {
   /// more than so many tolerances of a step.
   static constexpr float kGroove = 4;
 
+  /// Rounding of 1 - n.n', below which normals are the same whatever creaseDegrees, that is up to
+  /// 0.08 degrees. What it does to directions counts by its square; a unit vector's length is right
+  /// to 3.5 roundings (half of the three of its square, and one each of the root and the quotient),
+  /// and the product adds three: ten in all, 2^-24 each, and as much again to spare.
+  static constexpr float kSameNormals = 1.2e-6f;
+
   OutlineDetector detector = OutlineDetector::kNone;
   float depthTolerance = 3;  ///< of a step, in pixels' widths where it is; >= 0
-  float creaseDegrees = 40;  ///< normals that differ by more make a line; 0 to 180, 180: none
+  /// Normals that differ by more, and more than kSameNormals, make a line; 0 to 180, 180: none.
+  float creaseDegrees = 40;
   CreaseDetector creases = CreaseDetector::kAngle;
   /// Borders between Attributes::cellIds of one instance that are no steps have lines, too, in
   /// their middle as creases have. Where such a border lies within its pixels tell the samples that

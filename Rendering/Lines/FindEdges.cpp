@@ -32,7 +32,8 @@ EdgeFinder::EdgeFinder(const OutlinePass& pass)
   for (const Instance& instance : pass.scene.instances) {
     const ImageOutline& outline = instance.style.imageOutline;
     const bool isOutlined = hasImageOutline(instance);
-    const float crease = 1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees));
+    const float crease = larger(1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees)),
+                                ImageOutline::kSameNormals);
     settings_.push_back(
         {isOutlined, outline.detector, outline.creases, crease, hasIdBorders(instance)});
     bounds_.asks.push_back(

@@ -300,7 +300,8 @@ class Outlines {
   bool isCrease(Pixel p, Pixel q) const
   {
     const ImageOutline& outline = styleAt(p).imageOutline;
-    const float least = 1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees));
+    const float least = std::max(1.0f - static_cast<float>(cosineOfDegrees(outline.creaseDegrees)),
+                                 ImageOutline::kSameNormals);
     const float turn = 1.0f - dot(layer(p).normal, layer(q).normal);
     switch (outline.creases) {
       case CreaseDetector::kSobel:

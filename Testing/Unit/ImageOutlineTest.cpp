@@ -218,6 +218,26 @@ TEST_P(ImageOutlines, DrawNoEdgesOnTiltedPlanes)
       }
 }
 
+// Normals of a plane's pixels are the same but for rounding, in each triangle and from one to the
+// next.
+TEST_P(ImageOutlines, FindNoCreaseInAPlaneByAnyAngle)
+{
+  for (const double degrees : {10.0, 33.0, 50.0})
+    for (const NormalSource source : {NormalSource::kTriangle, NormalSource::kVertex}) {
+      const double s = std::sin(degrees * kPi / 180), c = std::cos(degrees * kPi / 180);
+      OwnedMesh plane = sheet(Vec3d{-40, -40 * c, -40 * s}, {80, 0, 0}, {0, 80 * c, 80 * s}, 60);
+      const Vec3d normal = {0, -s, c};
+      plane.vertexNormals.assign(plane.positions.size(), vec3Cast<float>(normal));
+      Stage stage;
+      stage.view = perspectiveView({1, 2, 8}, {0.3, 0.2, 0}, 30);
+      stage.view.far = 200;
+      stage.instances = {outlined(plane, 2)};
+      stage.instances[0].style.normals = source;
+      stage.instances[0].style.imageOutline.creaseDegrees = 0;
+      EXPECT_EQ(darkness(drawOverWhite(stage, GetParam())), 0) << degrees;
+    }
+}
+
 TEST_P(ImageOutlines, DrawSobelsFalseEdgesOnTiltedPlanes)
 {
   const double s = std::sin(85 * kPi / 180), c = std::cos(85 * kPi / 180);
