@@ -713,9 +713,8 @@ TEST(Arguments, OptionsThatNeedOrExcludeEachOther)
     EXPECT_EQ(renderErrorOf({ option }),
       option.substr(0, option.find('=')) + " needs --outline=normal, hull or image");
   }
-  for (const std::string option :
-    { "--outline-detector=sobel", "--outline-tolerance=2", "--outline-crease-angle=30",
-      "--outline-crease-detector=sobel" })
+  for (const std::string option : { "--outline-detector=sobel", "--outline-tolerance=2",
+         "--outline-crease-angle=30", "--outline-crease-detector=sobel" })
   {
     EXPECT_EQ(renderErrorOf({ option, "--outline=normal" }),
       option.substr(0, option.find('=')) + " needs --outline=image");
@@ -897,9 +896,9 @@ TEST(Arguments, HelpListsEveryServedOption)
       "--hatch-paper", "--hatch-on", "--exaggeration-contrast", "--exaggeration-exponent",
       "--exaggeration-base", "--exaggeration-levels", "--exaggeration-scale", "--hatch-width",
       "--outline-detector", "--outline-tolerance", "--outline-crease-angle",
-      "--outline-crease-detector", "--outline-ids",
-      "--output-normals", "--output-depth", "--output-ids", "--coloring-array", "--colormap",
-      "--coloring-range", "--samples", "--backface-culling", "--threads", "--window", "--stats" })
+      "--outline-crease-detector", "--outline-ids", "--output-normals", "--output-depth",
+      "--output-ids", "--coloring-array", "--colormap", "--coloring-range", "--samples",
+      "--backface-culling", "--threads", "--window", "--stats" })
   {
     EXPECT_NE(text.find("  " + option + " "), std::string::npos) << option;
   }
