@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
+#include <limits>
 
 namespace limn {
 namespace {
@@ -282,6 +284,9 @@ Status checkSmoothNormals(const Instance& instance, MeshSizes sizes, InstanceNam
       !(a.smoothRatio >= 1 && a.smoothRatio <= kMaxSmoothRatio))
     return {Error::kNotFinite,
             name + ": its smooth normals have to be of 1 to 8 levels, their ratio 1 to 16."};
+  if (a.smoothNormals.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+    return {Error::kTooManyPrimitives,
+            name + ": it has more than 2147483647 smooth normals; ask for fewer levels."};
   if (!a.smoothOfCorner.empty())
     return checkSize(a.smoothOfCorner.size(), 3 * sizes.triangles, name,
                      ": smooth normals of corners");

@@ -114,7 +114,8 @@ double* vtkLimnActor::GetBounds()
   const double size = bounds ? SizeOf(bounds) : 0;
   const bool isSmall = size > 0 && size < SmallestSize;
   const bool isLarge = size > LargestSize;
-  if ((isSmall || isLarge) && !(size == this->FaultySize))
+  const int fault = isSmall ? TOO_SMALL : (isLarge ? TOO_LARGE : NO_FAULT);
+  if (fault != NO_FAULT && fault != this->SizeFault)
   {
     vtkWarningMacro(
       "Its size in the world is "
@@ -124,7 +125,7 @@ double* vtkLimnActor::GetBounds()
                "it up."
              : "; above 1e+18 it is not lit as it should be: scale it down."));
   }
-  this->FaultySize = isSmall || isLarge ? size : 0;
+  this->SizeFault = fault;
   return bounds;
 }
 

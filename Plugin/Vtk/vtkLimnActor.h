@@ -61,7 +61,13 @@ protected:
   ~vtkLimnActor() override = default;
 
 private:
-  double FaultySize = 0.0; // that was last warned of
+  enum SizeFaults
+  {
+    NO_FAULT = 0,
+    TOO_SMALL,
+    TOO_LARGE
+  };
+  int SizeFault = NO_FAULT; // that was last warned of
 
   vtkLimnActor(const vtkLimnActor&) = delete;
   void operator=(const vtkLimnActor&) = delete;

@@ -85,8 +85,9 @@ std::vector<WalkPoint> SeedLine::next(double distance)
   if (count_ > 0) {
     ++halvings_;
   } else {
+    // Of shorter ones the circles would be too short to be drawn, and later seeds too near.
+    if (!(length_ >= distance)) return seeds;
     count_ = std::floor(length_ / distance + 0.5);
-    if (!(count_ > 0)) return seeds;
   }
   const double all = count_ * std::ldexp(1.0, halvings_);
   density_ = distance * all / length_ * (isCircle_ ? kProfilesMore : 1.0);

@@ -38,7 +38,10 @@ void PairTest::findGentle(const SurfaceLayers& layers, float tolerance, int samp
   // and m what w grows by with depth: its length is at most (|c| + |e w - N m| |d' - d| / w) / w'.
   const Mat4f& m = layers.toView->matrix();
   if (m.m[3][0] != 0.0f || m.m[3][1] != 0.0f) return;
-  const auto lengthOf = [](Vec3f v) { return std::sqrt(dot(v, v)); };
+  const auto lengthOf = [](Vec3f v) {
+    const auto wide = vec3Cast<double>(v);
+    return static_cast<float>(std::sqrt(dot(wide, wide)));
+  };
   const auto columnOf = [&](int c) { return Vec3f{m.m[0][c], m.m[1][c], m.m[2][c]}; };
   float skew = 0;
   for (unsigned corner = 0; corner < 8; ++corner) {
@@ -59,7 +62,8 @@ void PairTest::findGentle(const SurfaceLayers& layers, float tolerance, int samp
   // pixels lie far aside.
   const float rest = 0.95f * tolerance * std::fabs(m.m[1][1]) - aside;
   constexpr float kMostSkew = 2, kMostGrowth = 0.02f;
-  if (skew <= kMostSkew && std::fabs(m.m[3][2]) * rest <= kMostGrowth * perDepth) gentle = rest;
+  const bool isKnown = perDepth > 0.0f && aside > 0.0f && skew <= kMostSkew;
+  if (isKnown && std::fabs(m.m[3][2]) * rest <= kMostGrowth * perDepth) gentle = rest;
 }
 
 NeighbourRows::NeighbourRows(const SurfaceLayers& layers, const NeighbourBounds& bounds,

@@ -275,7 +275,7 @@ bool EdgeFinder::isBent(const Pixel& first, const Pixel& second) const
   const float turn = 1.0f - dot(layers_.normal[first.index], layers_.normal[second.index]);
   switch (settings.creases) {
     case CreaseDetector::kSobel:
-      return turn > bound * (1.0f / 9.0f) &&
+      return bound < 2.0f && turn > bound * (1.0f / 9.0f) &&
              (gradientOfNormals(first) > 0.5f * bound || gradientOfNormals(second) > 0.5f * bound);
     case CreaseDetector::kLaplacian: {
       const Vec3f atFirst = laplacianOfNormals(first), atSecond = laplacianOfNormals(second);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace limn {
 
@@ -20,6 +19,7 @@ HaloBorder::HaloBorder(const Scene& scene, const SurfaceLayers& layers, std::siz
 
 float HaloBorder::widthOver(float other) const
 {
+  if (other == kBehindAll) return width;
   const float behind = other - distance;
   if (!(behind > 0.0f)) return 0.0f;
   const float t = behind < full ? behind / full : 1.0f;
@@ -54,7 +54,7 @@ float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
   if (!(layers_.halo[index] > 0.0f)) return 0.0f;
   const std::size_t owner = layers_.haloOwner[index];
   const HaloBorder border(scene_, layers_, owner);
-  float distance = std::numeric_limits<float>::max();
+  float distance = HaloBorder::kBehindAll;
   if (depth <= 1.0f) {
     const Vec2f centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
     distance = -layers_.toView->at(centre.x, centre.y, depth).position.z;

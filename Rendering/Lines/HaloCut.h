@@ -6,11 +6,15 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace limn {
 
 /// A pixel in which a surface with a halo ends.
 struct HaloBorder {
+  /// As far as anything: the halo has all of its width, however deep that is.
+  static constexpr float kBehindAll = std::numeric_limits<float>::max();
+
   float distance;     ///< along the gaze
   float width, full;  ///< of the halo, in pixels: that from the difference of distances `full` on
   float covered;      ///< share of the pixel

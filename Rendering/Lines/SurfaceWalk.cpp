@@ -58,18 +58,20 @@ std::uint8_t SurfaceWalk::circlesAt(std::size_t triangle) const
 
 std::vector<std::uint32_t> SurfaceWalk::circledTriangles() const
 {
-  std::vector<std::uint32_t> wanted = field_.circled, found;
-  std::sort(wanted.begin(), wanted.end());
+  std::vector<std::uint32_t> found;
+  if (field_.circled.empty()) return found;
+  std::vector<bool> isWanted(surface_.mesh.vertexCount(), false);
+  for (const std::uint32_t v : field_.circled)
+    isWanted[v] = true;
   const Span<const Triangle> triangles = surface_.mesh.triangles;
-  for (std::uint32_t t = 0; t < triangles.size() && !wanted.empty(); ++t) {
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     if (circlesAt(t) == 0) continue;
-    for (const std::uint32_t v : triangles[t].vertex) {
-      const auto place = std::lower_bound(wanted.begin(), wanted.end(), v);
-      if (place == wanted.end() || *place != v) continue;
-      wanted.erase(place);
-      found.push_back(t);
-      break;
-    }
+    const auto& vertex = triangles[t].vertex;
+    const auto* const first =
+        std::find_if(vertex, vertex + 3, [&](std::uint32_t v) { return isWanted[v]; });
+    if (first == vertex + 3) continue;
+    isWanted[*first] = false;
+    found.push_back(t);
   }
   return found;
 }

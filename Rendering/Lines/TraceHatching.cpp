@@ -262,8 +262,8 @@ class FamilyTracer {
     // Numerical Recipes' series modulo 2^32; its upper bits are good.
     random_ = random_ * 1664525u + 1013904223u;
     const double share = (static_cast<double>(random_ >> 8) + 1) / 16777216.0;
-    strokes_.rank.push_back(
-        static_cast<float>(high_ * density_ * (kLowest + (kHighest - kLowest) * share)));
+    const double rank = high_ * density_ * (kLowest + (kHighest - kLowest) * share);
+    strokes_.rank.push_back(static_cast<float>(std::min(rank, 1.0)));
     strokes_.isCross.push_back(isCross_ ? 1 : 0);
     strokes_.face.push_back(HatchStrokes::kNoFace);
   }

@@ -4,10 +4,9 @@
 
 #include "Rendering/Base/Array.h"
 #include "Rendering/FrameView.h"
-#include "Rendering/Lines/SurfaceLayers.h"
+#include "Rendering/Lines/HaloCut.h"
 
 #include <cstddef>
-#include <limits>
 
 namespace limn {
 
@@ -23,7 +22,7 @@ struct CuePass {
 /// Distances along the gaze, with room at both ends of a row for kernels that read beyond them.
 struct DistancePlane {
   /// Of pixels that show no surface.
-  static constexpr float kFar = std::numeric_limits<float>::max();
+  static constexpr float kFar = HaloBorder::kBehindAll;
   static constexpr int kVector = 16;
 
   int width = 0, height = 0, pad = 0;

@@ -305,7 +305,7 @@ class Outlines {
     const float turn = 1.0f - dot(layer(p).normal, layer(q).normal);
     switch (outline.creases) {
       case CreaseDetector::kSobel:
-        return turn > least * (1.0f / 9) &&
+        return least < 2 && turn > least * (1.0f / 9) &&
                std::max(sobelOfNormals(p), sobelOfNormals(q)) > least / 2;
       case CreaseDetector::kLaplacian: {
         const Vec3f a = laplacianOfNormals(p), b = laplacianOfNormals(q);

@@ -547,7 +547,7 @@ class Lines {
         !(distance - nearest > full + Halo::kHorizon * riseAt(under.haloOf)))
       return 0;
     if (!(distance > nearest)) return 0;
-    const float t = std::min(1.0f, (distance - nearest) / full);
+    const float t = depth > 1 ? 1.0f : std::min(1.0f, (distance - nearest) / full);
     const float width = halo.width * ((t * t) * (3.0f - 2.0f * t));
     const auto columns = static_cast<std::size_t>(frame_.width);
     const auto dx = static_cast<float>(x - static_cast<int>(under.haloOf % columns));
