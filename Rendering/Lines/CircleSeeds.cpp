@@ -94,12 +94,14 @@ std::vector<WalkPoint> SeedLine::next(double distance)
   // On a profile the first are half of a distance away from its ends, the next in the middle
   // between them, and from then on ends count as if they were there.
   const bool isFirst = halvings_ == 0, isSecond = halvings_ == 1;
+  const auto number = static_cast<std::size_t>(all);
+  const auto add = [&](double i) { seeds.push_back(at(i / all)); };
   if (isFirst)
-    for (double i = 0; i < all; ++i)
-      seeds.push_back(at((i + (isCircle_ ? 0.0 : 0.5)) / all));
+    for (std::size_t i = 0; i < number; ++i)
+      add(static_cast<double>(i) + (isCircle_ ? 0.0 : 0.5));
   else
-    for (double i = isSecond && !isCircle_ ? 2 : 1; i < all; i += 2)
-      seeds.push_back(at(i / all));
+    for (std::size_t i = isSecond && !isCircle_ ? 2 : 1; i < number; i += 2)
+      add(static_cast<double>(i));
   return seeds;
 }
 
