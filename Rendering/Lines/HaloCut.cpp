@@ -59,14 +59,16 @@ float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
     const Vec2f centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
     distance = -layers_.toView->at(centre.x, centre.y, depth).position.z;
   }
-  if (instance == layers_.instance[owner] &&
-      !(distance - border.distance > border.full + Halo::kHorizon * riseAt(owner)))
-    return 0.0f;
   const auto columns = static_cast<std::size_t>(layers_.width);
-  const int dx = x - static_cast<int>(owner % columns), dy = y - static_cast<int>(owner / columns);
+  const auto dx = static_cast<float>(x - static_cast<int>(owner % columns));
+  const auto dy = static_cast<float>(y - static_cast<int>(owner / columns));
+  const float away = std::sqrt(dx * dx + dy * dy) + 1.0f;
+  if (instance == layers_.instance[owner] &&
+      !(distance - border.distance > border.full + Halo::kHorizon * riseAt(owner) * away))
+    return 0.0f;
   const float width = border.widthOver(distance);
   if (width == 0.0f) return 0.0f;
-  const float share = border.shareOf(width, static_cast<float>(dx), static_cast<float>(dy));
+  const float share = border.shareOf(width, dx, dy);
   return share > 0.0f ? share : 0.0f;
 }
 

@@ -29,8 +29,8 @@ struct HaloBorder {
 
 /// What halos leave of strokes. A stroke of another instance is cut as a surface would be that
 /// lies as far; one of the same instance by the whole width where it lies behind by that of the
-/// whole width and kHorizon times what the surface rises within its last pixel: the contour of a
-/// rounded surface lies far behind the last pixel that shows it.
+/// whole width and a horizon: the contour of a rounded surface lies far behind the last pixel that
+/// shows it, on a circle by twice the slope there times the pixels in between.
 class HaloCut {
  public:
   /// Requires: SurfaceLayers::halo and haloOwner.

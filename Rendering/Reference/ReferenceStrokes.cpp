@@ -543,17 +543,17 @@ class Lines {
     const float distance = depth > 1 ? HUGE_VALF : -toView_.at(centreX, centreY, depth).position.z;
     const Halo& halo = scene_.instances[before.instance].style.cues.halo;
     const float full = halo.depth * halo.width * before.point.pixel;
-    if (before.instance == instance &&
-        !(distance - nearest > full + Halo::kHorizon * riseAt(under.haloOf)))
-      return 0;
-    if (!(distance > nearest)) return 0;
-    const float t = depth > 1 ? 1.0f : std::min(1.0f, (distance - nearest) / full);
-    const float width = halo.width * ((t * t) * (3.0f - 2.0f * t));
     const auto columns = static_cast<std::size_t>(frame_.width);
     const auto dx = static_cast<float>(x - static_cast<int>(under.haloOf % columns));
     const auto dy = static_cast<float>(y - static_cast<int>(under.haloOf / columns));
+    const float apart = std::sqrt(dx * dx + dy * dy);
+    const float horizon = Halo::kHorizon * riseAt(under.haloOf) * (apart + 1.0f);
+    if (before.instance == instance && !(distance - nearest > full + horizon)) return 0;
+    if (!(distance > nearest)) return 0;
+    const float t = depth > 1 ? 1.0f : std::min(1.0f, (distance - nearest) / full);
+    const float width = halo.width * ((t * t) * (3.0f - 2.0f * t));
     const float covered = static_cast<float>(before.count) / static_cast<float>(scene_.samples);
-    const float fromBorder = std::sqrt(dx * dx + dy * dy) - (covered - 0.5f);
+    const float fromBorder = apart - (covered - 0.5f);
     return width == 0 ? 0.0f : std::clamp(width + 0.5f - fromBorder, 0.0f, 1.0f);
   }
 

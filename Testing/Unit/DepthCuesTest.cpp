@@ -567,12 +567,10 @@ TEST_P(DepthCuesOn, HalosCutStrokesOfTheirOwnInstanceFarBehind)
   EXPECT_TRUE(areEqual(at(drawOver(stage, GetParam()), 18, 31), kBackground)) << "on no surface";
 }
 
-// Its contour lies nine pixels behind what the last pixels before it show.
+// Its contour lies some ten pixels behind what the last pixels before it show, and, seen from near,
+// some fifty.
 TEST_P(DepthCuesOn, HalosLeaveTheContourOfASphere)
 {
-  Stage stage;
-  stage.width = stage.height = 96;
-  stage.view = parallelView({0, 0, 8}, {0, 0, 0}, 1.2, {1, 20});
   std::vector<Vec3f> points;
   std::vector<std::uint32_t> vertex, first = {0};
   for (std::uint32_t i = 0; i < 360; ++i) {
@@ -585,11 +583,18 @@ TEST_P(DepthCuesOn, HalosLeaveTheContourOfASphere)
   LineStyle style;
   style.width = 3;
   const std::vector<LineSet> sets = {{{points, {}, {}}, vertex, first, {}, {}, style}};
-  stage.instances = {painted(fineSphere(), {0, 0, 1})};
-  stage.instances[0].lines = sets;
-  const Picture plain = drawOver(stage, GetParam());
-  stage.instances[0].style.cues.halo = {4, 0.25f, {0, 1, 0}};
-  EXPECT_EQ(drawOver(stage, GetParam()).differingPixels(plain), 0u);
+  const OwnedMesh coarse = sphere(32, 64);
+  for (const bool isNear : {false, true}) {
+    Stage stage;
+    stage.width = stage.height = 96;
+    stage.view = isNear ? parallelView({1, 0, 8}, {1, 0, 0}, 0.1, {1, 20})
+                        : parallelView({0, 0, 8}, {0, 0, 0}, 1.2, {1, 20});
+    stage.instances = {painted(isNear ? coarse : fineSphere(), {0, 0, 1})};
+    stage.instances[0].lines = sets;
+    const Picture plain = drawOver(stage, GetParam());
+    stage.instances[0].style.cues.halo = {4, 0.25f, {0, 1, 0}};
+    EXPECT_EQ(drawOver(stage, GetParam()).differingPixels(plain), 0u) << isNear;
+  }
 }
 
 TEST_P(DepthCuesOn, TranslucentInstancesHaveNone)
