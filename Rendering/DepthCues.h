@@ -49,8 +49,8 @@ struct DepthUnsharp {
 /// instances as it would cut a surface as far away, also over the background, hidden ones by all
 /// of the width; those of its own instance where they lie behind by more than the depth of the
 /// whole width and the horizon of rounded surfaces, kHorizon times what the surface rises within
-/// its last pixel times the pixels from there to the stroke, and one. Strokes that meet in a pixel
-/// and are laid over it at once count as the nearest of them. The background is not cut.
+/// its last pixel times one and half the pixels from there to the stroke. Strokes that meet in a
+/// pixel and are laid over it at once count as the nearest of them. The background is not cut.
 struct Halo {
   static constexpr float kHorizon = 3;
   float width = 0;          ///< pixels; 0: none; 0 to kMaxHaloWidth

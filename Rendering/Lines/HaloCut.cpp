@@ -62,7 +62,7 @@ float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
   const auto columns = static_cast<std::size_t>(layers_.width);
   const auto dx = static_cast<float>(x - static_cast<int>(owner % columns));
   const auto dy = static_cast<float>(y - static_cast<int>(owner / columns));
-  const float away = std::sqrt(dx * dx + dy * dy) + 1.0f;
+  const float away = 0.5f * std::sqrt(dx * dx + dy * dy) + 1.0f;
   if (instance == layers_.instance[owner] &&
       !(distance - border.distance > border.full + Halo::kHorizon * riseAt(owner) * away))
     return 0.0f;

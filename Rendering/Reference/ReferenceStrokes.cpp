@@ -547,7 +547,7 @@ class Lines {
     const auto dx = static_cast<float>(x - static_cast<int>(under.haloOf % columns));
     const auto dy = static_cast<float>(y - static_cast<int>(under.haloOf / columns));
     const float apart = std::sqrt(dx * dx + dy * dy);
-    const float horizon = Halo::kHorizon * riseAt(under.haloOf) * (apart + 1.0f);
+    const float horizon = Halo::kHorizon * riseAt(under.haloOf) * (apart / 2 + 1);
     if (before.instance == instance && !(distance - nearest > full + horizon)) return 0;
     if (!(distance > nearest)) return 0;
     const float t = depth > 1 ? 1.0f : std::min(1.0f, (distance - nearest) / full);
