@@ -88,49 +88,34 @@ bool LineMeasure::areJoined(const Pixel& pixel, const CreaseSegment& segment) co
   return areLayers(segment.layer) || areLayers(segment.beyond);
 }
 
-const LineMeasure::NearEdge* LineMeasure::findEdges(const Pixel& pixel)
+void LineMeasure::findEdges(const Pixel& pixel)
 {
   near_.clear();
-  joined_.clear();
-  constexpr std::size_t kNone = ~std::size_t{0};
-  std::size_t nearest = kNone;
-  float squared = 0.0f;
   for (const NearRow& row : rows_) {
     if (row.y < pixel.y - pixel.reach || row.y > pixel.y + pixel.reach) continue;
     for (const EdgePoint* edge = row.edge;
          edge != row.lastEdge && edge->column <= pixel.x + pixel.reach; ++edge) {
       if (edge->column < pixel.x - pixel.reach || edge->instance != pixel.instance) continue;
       const Vec2f way = edge->foot - pixel.centre;
-      if (dot(edge->normal, way) < -kOutside) continue;
-      near_.push_back({edge, way});
-      joined_.push_back(Joined::kUnknown);
-      // Few are asked whether they are joined, the nearest and those along its border.
-      const float distance = dot(way, way);
-      if (nearest != kNone && !(distance < squared)) continue;
-      if (!isJoined(pixel, near_.size() - 1)) continue;
-      nearest = near_.size() - 1;
-      squared = distance;
+      if (!(dot(edge->normal, way) < -kOutside) && areJoined(pixel, edge->layer, edge->tolerance))
+        near_.push_back({edge, way});
     }
   }
-  return nearest == kNone ? nullptr : &near_[nearest];
-}
-
-bool LineMeasure::isJoined(const Pixel& pixel, std::size_t near)
-{
-  Joined& joined = joined_[near];
-  if (joined == Joined::kUnknown) {
-    const EdgePoint& edge = *near_[near].edge;
-    joined = areJoined(pixel, edge.layer, edge.tolerance) ? Joined::kYes : Joined::kNo;
-  }
-  return joined == Joined::kYes;
 }
 
 float LineMeasure::borderShare(const Pixel& pixel)
 {
-  const NearEdge* const nearest = findEdges(pixel);
-  if (nearest == nullptr) return 0.0f;
+  findEdges(pixel);
+  if (near_.empty()) return 0.0f;
+  const NearEdge* nearest = &near_[0];
+  float squared = dot(nearest->way, nearest->way);
+  for (const NearEdge& edge : near_) {
+    const float other = dot(edge.way, edge.way);
+    if (!(other < squared)) continue;
+    nearest = &edge;
+    squared = other;
+  }
   const Vec2f normal = nearest->edge->normal, way = nearest->way;
-  const float squared = dot(way, way);
   if (normal == Vec2f{0.0f, 0.0f}) return nearest->edge->index == pixel.index ? pixel.own : 0.0f;
 
   const auto along = [&](Vec2f to) { return absolute(normal.x * to.y - normal.y * to.x); };
@@ -140,13 +125,11 @@ float LineMeasure::borderShare(const Pixel& pixel)
     across = way * (1.0f / distance);
   } else {
     float sum = 0.0f, weights = 0.0f;
-    for (std::size_t i = 0; i < near_.size(); ++i) {
-      const NearEdge& near = near_[i];
+    for (const NearEdge& near : near_) {
       const EdgePoint& edge = *near.edge;
       const float weight = kSpan - along(near.way);
       if (!(weight > 0.0f) || !(dot(edge.normal, normal) >= kSameWay)) continue;
       if (!(absolute(dot(normal, edge.foot - nearest->edge->foot)) <= kSameBorder)) continue;
-      if (!isJoined(pixel, i)) continue;
       // The mean of both normals: exact to the second order on a circle.
       sum = sum + weight * (0.5f * (dot(edge.normal, near.way) + dot(normal, near.way)));
       weights = weights + weight;

@@ -4,7 +4,6 @@
 
 #include "Rendering/Lines/FindEdges.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace limn {
@@ -31,19 +30,16 @@ class LineMeasure {
     const EdgePoint *edge, *lastEdge;
     const CreaseSegment *segment, *lastSegment;
   };
-  enum class Joined : std::uint8_t { kUnknown, kNo, kYes };
   struct NearEdge {
     const EdgePoint* edge;
     Vec2f way;  ///< from the pixel's centre
   };
 
   void moveTo(int x);
-  /// Finds the edges that bound the pixel's surface, row by row, by columns, and others that may,
-  /// and returns the nearest of the former, or null.
-  const NearEdge* findEdges(const Pixel& pixel);
+  /// The edges that bound the pixel's surface, row by row, by columns.
+  void findEdges(const Pixel& pixel);
   bool areJoined(const Pixel& pixel, const SurfacePatch& there, float tolerance) const;
   bool areJoined(const Pixel& pixel, const CreaseSegment& segment) const;
-  bool isJoined(const Pixel& pixel, std::size_t near);
   float borderShare(const Pixel& pixel);
   float creaseShare(const Pixel& pixel) const;
 
@@ -52,7 +48,6 @@ class LineMeasure {
   int y_, reach_;
   std::vector<NearRow> rows_;
   std::vector<NearEdge> near_;
-  std::vector<Joined> joined_;  ///< by NearEdge
 };
 
 }  // namespace limn
