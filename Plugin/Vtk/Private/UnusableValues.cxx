@@ -78,14 +78,13 @@ public:
     {
       return;
     }
-    std::ostringstream text;
-    this->name(name, text) << " has the value " << value << "; it has to be " << range;
+    std::ostringstream need;
+    need << range;
     if (std::isfinite(value) && std::fabs(value) > kMost && range.most == kMost)
     {
-      text << ", and no more than " << kMost << " in size";
+      need << ", and no more than " << kMost << " in size";
     }
-    text << ".";
-    fault_ = text.str();
+    this->refuse(name, value, need.str());
   }
   /// Of three values, as colours have.
   void check(const char* name, const double* values, const Range& range)
@@ -95,22 +94,21 @@ public:
       this->check(name, values[i], range);
     }
   }
+  void refuse(const char* name, double value, const std::string& need)
+  {
+    std::ostringstream why;
+    why << " has the value " << value << "; it has to be " << need << ".";
+    this->refuse(name, why.str());
+  }
   void refuse(const char* name, const std::string& why)
   {
     if (isGood())
     {
-      std::ostringstream text;
-      this->name(name, text) << why;
-      fault_ = text.str();
+      fault_ = std::string(name) + " of its " + property_->GetClassName() + why;
     }
   }
 
 private:
-  std::ostream& name(const char* name, std::ostream& os) const
-  {
-    return os << name << " of its " << property_->GetClassName();
-  }
-
   vtkProperty* property_;
   std::string fault_;
 };
@@ -161,10 +159,7 @@ void checkRamp(vtkLimnProperty* property, Checker& checker)
   const auto farthest = static_cast<float>(checker.isGood() ? range[1] : 0);
   if (!(nearest > 0 && farthest > nearest) && !(nearest == 0 && farthest == 0))
   {
-    std::ostringstream text;
-    text << " has the value " << range[0]
-         << "; it has to be above 0 and below the range's other end.";
-    checker.refuse("ToonRampRange", text.str());
+    checker.refuse("ToonRampRange", range[0], "above 0 and below the range's other end");
   }
 }
 
@@ -222,10 +217,8 @@ void checkLines(vtkLimnProperty* property, Checker& checker)
   const auto gap = static_cast<float>(checker.isGood() ? property->GetStrokeGap() : 0);
   if (dash > 0 && gap > 0 && dash + gap < 0.5f)
   {
-    std::ostringstream text;
-    text << " has the value " << property->GetStrokeGap()
-         << "; it has to be with StrokeDash together at least half a pixel, or 0.";
-    checker.refuse("StrokeGap", text.str());
+    checker.refuse("StrokeGap", property->GetStrokeGap(),
+      "with StrokeDash together at least half a pixel, or 0");
   }
 }
 
