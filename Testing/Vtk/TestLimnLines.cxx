@@ -223,20 +223,31 @@ void checkContour()
   checkIsNear(stage.Coverage(), circle, 0.01 * circle);
 }
 
-void checkCurves()
+vtkSmartPointer<vtkSuperquadricSource> lyingTorus()
 {
-  LineStage stage;
-  vtkNew<vtkSuperquadricSource> torus;
+  auto torus = vtkSmartPointer<vtkSuperquadricSource>::New();
   torus->ToroidalOn();
   torus->SetSize(28);
   torus->SetAxisOfSymmetry(2);
   torus->SetThetaResolution(64);
   torus->SetPhiResolution(64);
-  stage.Mapper->SetInputConnection(torus->GetOutputPort());
+  return torus;
+}
+
+void lookFromAside(LineStage& stage)
+{
   vtkCamera* const camera = stage.Renderer->GetActiveCamera();
   camera->SetFocalPoint(0, 0, 0);
   camera->SetPosition(0, -100, 60);
   camera->SetClippingRange(10, 300);
+}
+
+void checkCurves()
+{
+  LineStage stage;
+  const vtkSmartPointer<vtkSuperquadricSource> torus = lyingTorus();
+  stage.Mapper->SetInputConnection(torus->GetOutputPort());
+  lookFromAside(stage);
   stage.Property->SuggestiveLinesOn();
   CHECK(stage.Coverage() > 30);
   stage.Property->SuggestiveLinesOff();
@@ -252,22 +263,14 @@ void checkMovedPoints()
          static_cast<Switch>(&vtkLimnProperty::ContourLinesOn),
          static_cast<Switch>(&vtkLimnProperty::SuggestiveLinesOn) })
   {
-    vtkNew<vtkSuperquadricSource> torus;
-    torus->ToroidalOn();
-    torus->SetSize(28);
-    torus->SetAxisOfSymmetry(2);
-    torus->SetThetaResolution(64);
-    torus->SetPhiResolution(64);
+    const vtkSmartPointer<vtkSuperquadricSource> torus = lyingTorus();
     torus->Update();
     vtkPolyData* const data = torus->GetOutput();
     data->GetPointData()->SetNormals(nullptr);
     const auto show = [&](LineStage& stage, vtkPolyData* shown)
     {
       stage.Mapper->SetInputData(shown);
-      vtkCamera* const camera = stage.Renderer->GetActiveCamera();
-      camera->SetFocalPoint(0, 0, 0);
-      camera->SetPosition(0, -100, 60);
-      camera->SetClippingRange(10, 300);
+      lookFromAside(stage);
       (stage.Property->*turnOn)();
     };
     LineStage kept;
