@@ -43,6 +43,7 @@ struct TileMemory {
   std::vector<TileCluster> ordered;
   TileFrame fresh;
   FragmentList fragments;
+  alignas(64) Rgba8 runColor[kTilePixels];  ///< of tiles that are drawn in the frame itself
 };
 
 TileMemory& tileMemory()
@@ -208,10 +209,15 @@ TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t t
   const bool isEmpty = bins.clustersOf(tile).empty();
   if (layers != nullptr && (layers->isWhole || areNear(pixels, bins.touched)))
     clearLayers(pixels, layers->layers);
+  TileMemory& memory = tileMemory();
+  memory.colors.pixel = memory.runColor;
   if (!isToBeCleared(frame.clear, pixels, bins.touched))
     return isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, frame, pixels, layers);
-  TileFrame& fresh = tileMemory().fresh;
-  const FrameView& cleared = fresh.begin(frame, pixels);
+  // What need not be mixed is drawn where it stays.
+  TileFrame& fresh = memory.fresh;
+  const FrameView& cleared =
+      fresh.begin(frame, pixels, scene.scene->samples == 1 ? memory.visible.depth[0] : nullptr);
+  memory.colors.pixel = cleared.color;
   const TileStats stats =
       isEmpty ? TileStats{}
               : drawClusters(scene, bins, tile, pixels, cleared, fresh.pixels(), layers);

@@ -28,6 +28,7 @@ void writeNames(const TileClusters& clusters, std::uint32_t owner, const FrameVi
 /// Of one sample a pixel. Where nobody is seen the tile holds the frame's own depth.
 void copyDepth(const VisibilityTile& tile, const TileRectangle& pixels, const FrameView& frame)
 {
+  if (frame.depth == tile.depth[0]) return;
   for (int y = pixels.y0; y < pixels.y1; ++y)
     std::copy_n(tile.depth[0] + (y - pixels.y0) * kTileSide, pixels.x1 - pixels.x0,
                 frame.depth + y * frame.rowStride + pixels.x0);
@@ -43,7 +44,8 @@ void copyRuns(const TileClusters& clusters, const VisibilityTile& tile, const Ti
     const FragmentRun& run = fragments.run[r];
     if (run.length == 0) continue;
     const std::ptrdiff_t index = place.indexOf(run.pixel);
-    std::copy_n(colors.pixel + run.pixel, run.length, frame.color + index);
+    if (colors.pixel != frame.color)
+      std::copy_n(colors.pixel + run.pixel, run.length, frame.color + index);
     for (int i = 0; samples > 1 && i < run.length; ++i) {
       float nearest = tile.depth[0][run.pixel + i];
       for (int s = 1; s < samples; ++s)

@@ -33,7 +33,8 @@ T* planeFor(const T* ofFrame, Array<T>& memory)
 
 }  // namespace
 
-const FrameView& TileFrame::begin(const FrameView& frame, const TileRectangle& place)
+const FrameView& TileFrame::begin(const FrameView& frame, const TileRectangle& place,
+                                  float* depth)
 {
   frame_ = frame;
   place_ = place;
@@ -41,7 +42,7 @@ const FrameView& TileFrame::begin(const FrameView& frame, const TileRectangle& p
   tile_.width = tile_.height = kTileSide;
   tile_.rowStride = kTileSide;
   tile_.color = planeFor(frame.color, color_);
-  tile_.depth = planeFor(frame.depth, depth_);
+  tile_.depth = depth != nullptr ? depth : planeFor(frame.depth, depth_);
   tile_.coverage = planeFor(frame.coverage, coverage_);
   tile_.instance = planeFor(frame.instance, instance_);
   tile_.cell = planeFor(frame.cell, cell_);

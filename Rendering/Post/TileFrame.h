@@ -15,8 +15,8 @@ namespace limn {
 class TileFrame {
  public:
   /// The planes that `frame` has, cleared by FrameView::clear; pixels() of it are the tile. Valid
-  /// until the next call.
-  const FrameView& begin(const FrameView& frame, const TileRectangle& place);
+  /// until the next call. The depth lies in `depth`, room for kTilePixels, unless that is null.
+  const FrameView& begin(const FrameView& frame, const TileRectangle& place, float* depth);
   TileRectangle pixels() const { return {0, 0, place_.x1 - place_.x0, place_.y1 - place_.y0}; }
   /// Copies the tile to its place in the frame.
   void write() const;

@@ -6,6 +6,7 @@
 #include "Rendering/Base/Gather-inl.h"
 #include "Rendering/Base/MaskBits-inl.h"
 #include "Rendering/Base/Simd.h"
+#include "Rendering/Raster/EdgesOfRow-inl.h"
 #include "Rendering/Vertex/ScreenLanes-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -248,8 +249,7 @@ template <class Target>
 class LargeTriangle {
  public:
   LargeTriangle(const OrientedTriangle& triangle, std::uint32_t owner, const Target& target)
-      : triangle_(triangle),
-        owner_(owner),
+      : owner_(owner),
         target_(target),
         plane_(triangle.corner[0].depth, triangle.corner[1].depth, triangle.corner[2].depth,
                static_cast<float>(triangle.area))
@@ -257,130 +257,175 @@ class LargeTriangle {
     const auto& c = triangle.corner;
     box_ = target.box(std::min({c[0].x, c[1].x, c[2].x}), std::min({c[0].y, c[1].y, c[2].y}),
                       std::max({c[0].x, c[1].x, c[2].x}), std::max({c[0].y, c[1].y, c[2].y}));
+    if (box_.empty()) return;
+    blocks_ = {(box_.x0 - target.pixels.x0) / kBlockSide, (box_.y0 - target.pixels.y0) / kBlockSide,
+               (box_.x1 - target.pixels.x0) / kBlockSide,
+               (box_.y1 - target.pixels.y0) / kBlockSide};
+    for (int i = 0; i < 3; ++i)
+      edge_[i] = edgeAtBlocks(triangle.edge[i]);
+    findNearest();
   }
 
   void draw() const
   {
     if (box_.empty()) return;
-    const int left = target_.pixels.x0, bottom = target_.pixels.y0;
-    for (int y = (box_.y0 - bottom) / kBlockSide; y <= (box_.y1 - bottom) / kBlockSide; ++y)
-      for (int x = (box_.x0 - left) / kBlockSide; x <= (box_.x1 - left) / kBlockSide; ++x)
-        drawBlock(x, y);
+    const bool culls = target_.clusters.scene->optimizations.occlusionCulling;
+    for (int y = blocks_.y0; y <= blocks_.y1; ++y) {
+      std::int64_t most[3];
+      for (int i = 0; i < 3; ++i)
+        most[i] = edge_[i].most + (y - blocks_.y0) * edge_[i].perBlockY;
+      for (int x = blocks_.x0; x <= blocks_.x1; ++x) {
+        const bool isOutside = (most[0] | most[1] | most[2]) < 0;
+        const bool isInside =
+            most[0] >= edge_[0].span && most[1] >= edge_[1].span && most[2] >= edge_[2].span;
+        for (int i = 0; i < 3; ++i)
+          most[i] += edge_[i].perBlockX;
+        if (isOutside || (culls && isBehind(x, y))) continue;
+        drawBlock(x, y, isInside);
+      }
+    }
   }
 
  private:
-  /// The samples of a block lie in the rectangle from (x0, y0) to (x1, y1), in subpixels.
-  struct Samples {
-    std::int64_t x0, y0, x1, y1;
+  /// An edge function over the samples of blocks, of which the first is blocks_'s lower left one.
+  struct BlockEdge {
+    std::int64_t most;  ///< of the first block's samples, less the smallest value inside
+    std::int64_t span;  ///< between the most and the least of a block's samples
+    std::int64_t perBlockX, perBlockY;
+    double first;  ///< at the corner of the first block's first pixel
+    double perPixelY;
+    double perSubpixelX, perSubpixelY;
+    double smallestInside;
+    alignas(64) double perColumn[kBlockSide];
   };
 
-  std::int64_t least(int i, const Samples& at) const
+  BlockEdge edgeAtBlocks(const EdgeFunction& e) const
   {
-    const EdgeFunction& e = triangle_.edge[i];
-    return e.at(e.a > 0 ? at.x0 : at.x1, e.b > 0 ? at.y0 : at.y1);
-  }
-  std::int64_t most(int i, const Samples& at) const
-  {
-    const EdgeFunction& e = triangle_.edge[i];
-    return e.at(e.a > 0 ? at.x1 : at.x0, e.b > 0 ? at.y1 : at.y0);
+    constexpr std::int64_t kBlock = kBlockSide * kSubpixels;
+    const std::int64_t x = (target_.pixels.x0 + blocks_.x0 * kBlockSide) * kSubpixels,
+                       y = (target_.pixels.y0 + blocks_.y0 * kBlockSide) * kSubpixels;
+    const std::int64_t x0 = x + target_.lowest.x, x1 = x + kBlock - kSubpixels + target_.highest.x,
+                       y0 = y + target_.lowest.y, y1 = y + kBlock - kSubpixels + target_.highest.y;
+    BlockEdge edge;
+    edge.most = e.at(e.a > 0 ? x1 : x0, e.b > 0 ? y1 : y0) - e.smallestInside;
+    edge.span = std::llabs(e.a) * (x1 - x0) + std::llabs(e.b) * (y1 - y0);
+    edge.perBlockX = e.a * kBlock;
+    edge.perBlockY = e.b * kBlock;
+    edge.first = static_cast<double>(e.at(x, y));
+    edge.perPixelY = static_cast<double>(e.b * kSubpixels);
+    edge.perSubpixelX = static_cast<double>(e.a);
+    edge.perSubpixelY = static_cast<double>(e.b);
+    edge.smallestInside = static_cast<double>(e.smallestInside);
+    for (int column = 0; column < kBlockSide; ++column)
+      edge.perColumn[column] = static_cast<double>(e.a * kSubpixels * column);
+    return edge;
   }
 
-  /// No computed depth of the block's samples is below this.
-  double nearest(const Samples& at) const
+  /// The depth below which no computed one of a block's samples is.
+  void findNearest()
   {
-    // The plane over e1 and e2 is a plane over x and y: least where its slopes say so.
     const double z1 = plane_.z1, z2 = plane_.z2;
-    const EdgeFunction &e1 = triangle_.edge[1], &e2 = triangle_.edge[2];
-    const double slopeX = static_cast<double>(e1.a) * z1 + static_cast<double>(e2.a) * z2;
-    const double slopeY = static_cast<double>(e1.b) * z1 + static_cast<double>(e2.b) * z2;
-    const std::int64_t x = slopeX > 0 ? at.x0 : at.x1, y = slopeY > 0 ? at.y0 : at.y1;
-    const double exact =
-        plane_.z0 + static_cast<double>(e1.at(x, y)) * z1 + static_cast<double>(e2.at(x, y)) * z2;
-    const auto largest = [&](int i) {
-      return static_cast<double>(std::max(std::llabs(least(i, at)), std::llabs(most(i, at))));
+    const auto slope = [&](double e1, double e2) { return e1 * z1 + e2 * z2; };
+    // The plane over e1 and e2 is a plane over x and y: least where its slopes say so.
+    const double perX = slope(edge_[1].perSubpixelX, edge_[2].perSubpixelX);
+    const double perY = slope(edge_[1].perSubpixelY, edge_[2].perSubpixelY);
+    constexpr int kLast = (kBlockSide - 1) * kSubpixels;
+    const double x = perX > 0 ? target_.lowest.x : kLast + target_.highest.x;
+    const double y = perY > 0 ? target_.lowest.y : kLast + target_.highest.y;
+    const auto valueAt = [&](int i) {
+      return edge_[i].first + x * edge_[i].perSubpixelX + y * edge_[i].perSubpixelY;
     };
     // The steps in float err by at most 2^-24 of their results, five times.
     constexpr double kFloatError = 0x1p-21;
-    return exact - kFloatError * (std::fabs(plane_.z0) + largest(1) * std::fabs(z1) +
-                                  largest(2) * std::fabs(z2));
+    nearest_ = plane_.z0 + slope(valueAt(1), valueAt(2)) -
+               kFloatError *
+                   (std::fabs(plane_.z0) + largest(1) * std::fabs(z1) + largest(2) * std::fabs(z2));
+    nearestPerBlockX_ = perX * (kBlockSide * kSubpixels);
+    nearestPerBlockY_ = perY * (kBlockSide * kSubpixels);
   }
 
-  void drawBlock(int blockX, int blockY) const
+  /// The largest magnitude of an edge function over all blocks' samples.
+  double largest(int i) const
   {
-    const std::int64_t x = target_.pixels.x0 + blockX * kBlockSide,
-                       y = target_.pixels.y0 + blockY * kBlockSide;
-    const Samples at = {x * kSubpixels + target_.lowest.x, y * kSubpixels + target_.lowest.y,
-                        (x + kBlockSide - 1) * kSubpixels + target_.highest.x,
-                        (y + kBlockSide - 1) * kSubpixels + target_.highest.y};
-    bool isInside = true;
-    for (int i = 0; i < 3; ++i) {
-      if (most(i, at) < triangle_.edge[i].smallestInside) return;
-      isInside &= least(i, at) >= triangle_.edge[i].smallestInside;
-    }
-    const int block = blockY * kBlocksPerRow + blockX;
-    if (target_.clusters.scene->optimizations.occlusionCulling &&
-        isBehindBlock(static_cast<float>(nearest(at)), target_.offsets.size(), block, target_.tile))
-      return;
-    target_.noteDrawn(std::uint64_t{1} << block);
-    const int firstRow = std::max(box_.y0 - static_cast<int>(y), 0);
-    const int lastRow = std::min(box_.y1 - static_cast<int>(y), kBlockSide - 1);
+    const BlockEdge& e = edge_[i];
+    const std::int64_t acrossX = (blocks_.x1 - blocks_.x0) * e.perBlockX,
+                       acrossY = (blocks_.y1 - blocks_.y0) * e.perBlockY;
+    const std::int64_t most =
+        e.most + std::max<std::int64_t>(acrossX, 0) + std::max<std::int64_t>(acrossY, 0);
+    const std::int64_t least =
+        e.most - e.span + std::min<std::int64_t>(acrossX, 0) + std::min<std::int64_t>(acrossY, 0);
+    return static_cast<double>(std::max(std::llabs(least), std::llabs(most)) + 1);
+  }
+
+  bool isBehind(int blockX, int blockY) const
+  {
+    const double nearest = nearest_ + (blockX - blocks_.x0) * nearestPerBlockX_ +
+                           (blockY - blocks_.y0) * nearestPerBlockY_;
+    return isBehindBlock(static_cast<float>(nearest), target_.offsets.size(),
+                         blockY * kBlocksPerRow + blockX, target_.tile);
+  }
+
+  void drawBlock(int blockX, int blockY, bool isInside) const
+  {
+    target_.noteDrawn(std::uint64_t{1} << (blockY * kBlocksPerRow + blockX));
+    const int y = target_.pixels.y0 + blockY * kBlockSide;
+    const int firstRow = std::max(box_.y0 - y, 0);
+    const int lastRow = std::min(box_.y1 - y, kBlockSide - 1);
     for (std::size_t s = 0; s < target_.offsets.size(); ++s)
       if (isInside)
-        drawRows<false>(s, x, y + firstRow, y + lastRow);
+        drawRows<false>(s, blockX, blockY, firstRow, lastRow);
       else
-        drawRows<true>(s, x, y + firstRow, y + lastRow);
+        drawRows<true>(s, blockX, blockY, firstRow, lastRow);
   }
 
   /// Some rows of a block, the last one included.
   template <bool kHasEdge>
-  HWY_INLINE void drawRows(std::size_t sample, std::int64_t x, std::int64_t firstRow,
-                           std::int64_t lastRow) const
+  HWY_INLINE void drawRows(std::size_t sample, int blockX, int blockY, int firstRow,
+                           int lastRow) const
   {
-    const hn::CappedTag<double, kBlockSide> d;
-    const hn::Rebind<float, decltype(d)> df;
-    const EdgeFunction* const edge = triangle_.edge;
-    const std::int64_t px = x * kSubpixels + target_.offsets[sample].x;
-    const std::int64_t py = firstRow * kSubpixels + target_.offsets[sample].y;
-    double first[3], perRow[3];
-    for (int i = 0; i < 3; ++i) {
-      first[i] = static_cast<double>(edge[i].at(px, py));
-      perRow[i] = static_cast<double>(edge[i].b * kSubpixels);
-    }
-    auto index = static_cast<std::size_t>((firstRow - target_.pixels.y0) * kTileSide +
-                                          (x - target_.pixels.x0));
-    for (std::int64_t row = firstRow; row <= lastRow; ++row, index += kTileSide) {
-      for (std::size_t column = 0; column < kBlockSide; column += hn::Lanes(d)) {
-        const auto columns = hn::Iota(d, static_cast<double>(column));
-        const auto edgeAt = [&](int i) HWY_ATTR {
-          const auto perColumn = hn::Set(d, static_cast<double>(edge[i].a * kSubpixels));
-          return hn::Add(hn::Set(d, first[i]), hn::Mul(columns, perColumn));
+    const hn::CappedTag<float, kBlockSide> df;
+    const SampleOffset offset = target_.offsets[sample];
+    const int right = (blockX - blocks_.x0) * kBlockSide,
+              up = (blockY - blocks_.y0) * kBlockSide + firstRow;
+    double first[3];
+    for (int i = 0; i < 3; ++i)
+      first[i] = edge_[i].first + (right * kSubpixels + offset.x) * edge_[i].perSubpixelX +
+                 (up * kSubpixels + offset.y) * edge_[i].perSubpixelY;
+    const auto z0 = hn::Set(df, plane_.z0), z1 = hn::Set(df, plane_.z1),
+               z2 = hn::Set(df, plane_.z2);
+    auto index = static_cast<std::size_t>((blockY * kBlockSide + firstRow) * kTileSide +
+                                          blockX * kBlockSide);
+    for (int row = firstRow; row <= lastRow; ++row, index += kTileSide) {
+      for (std::size_t column = 0; column < kBlockSide; column += hn::Lanes(df)) {
+        const auto edgesFrom = [&](int i, double value) HWY_ATTR {
+          return edgesOfRow(df, value, edge_[i].perColumn + column);
         };
-        const auto e1 = edgeAt(1), e2 = edgeAt(2);
         auto covered = hn::Eq(hn::Zero(df), hn::Zero(df));
         if (kHasEdge) {
-          const auto inside = [&](int i, decltype(e1) e) HWY_ATTR {
-            const auto smallest = hn::Set(d, static_cast<double>(edge[i].smallestInside));
-            // Rounding to float keeps the sign.
-            return hn::Ge(hn::DemoteTo(df, hn::Sub(e, smallest)), hn::Zero(df));
+          // Rounding to float keeps the sign.
+          const auto inside = [&](int i) HWY_ATTR {
+            return hn::Ge(edgesFrom(i, first[i] - edge_[i].smallestInside), hn::Zero(df));
           };
-          covered = hn::And(inside(0, edgeAt(0)), hn::And(inside(1, e1), inside(2, e2)));
+          covered = hn::And(inside(0), hn::And(inside(1), inside(2)));
           if (hn::AllFalse(df, covered)) continue;
         }
-        const auto z = hn::Add(hn::Set(df, plane_.z0),
-                               hn::Add(hn::Mul(hn::DemoteTo(df, e1), hn::Set(df, plane_.z1)),
-                                       hn::Mul(hn::DemoteTo(df, e2), hn::Set(df, plane_.z2))));
+        const auto e1 = edgesFrom(1, first[1]), e2 = edgesFrom(2, first[2]);
+        const auto z = hn::Add(z0, hn::Add(hn::Mul(e1, z1), hn::Mul(e2, z2)));
         target_.take(df, sample, index + column, covered, z, owner_);
       }
       for (int i = 0; i < 3; ++i)
-        first[i] += perRow[i];
+        first[i] += edge_[i].perPixelY;
     }
   }
 
-  const OrientedTriangle& triangle_;
   std::uint32_t owner_;
   const Target& target_;
   DepthPlane plane_;
-  PixelBox box_;
+  PixelBox box_;     ///< of pixels of the tile
+  PixelBox blocks_;  ///< of blocks, counted from the tile's first
+  BlockEdge edge_[3];
+  double nearest_;  ///< findNearest() of the first block
+  double nearestPerBlockX_, nearestPerBlockY_;
 };
 
 struct SmallTriangle {
@@ -415,29 +460,40 @@ HWY_INLINE void drawSmall(const SmallTriangle& triangle, std::int32_t area, std:
     start[i] = dx * (box.y0 * kSubpixels - y[from]) - dy * (firstX * kSubpixels - x[from]);
   }
   const auto ramp = hn::Iota(di, 0);
+  const auto z0 = hn::Set(d, plane.z0), z1 = hn::Set(d, plane.z1), z2 = hn::Set(d, plane.z2);
+  const auto inside1 = hn::Set(di, least[1]), inside2 = hn::Set(di, least[2]);
+  const auto perVector = [&](int i) HWY_ATTR { return hn::Set(di, stepX[i] * lanes); };
+  const auto right0 = perVector(0), right1 = perVector(1), right2 = perVector(2);
+  const auto up0 = hn::Set(di, stepY[0]), up1 = hn::Set(di, stepY[1]), up2 = hn::Set(di, stepY[2]);
+  const int columns = box.x1 - firstX;
   for (std::size_t s = 0; s < target.offsets.size(); ++s) {
     const SampleOffset offset = target.offsets[s];
-    for (int row = box.y0; row <= box.y1; ++row)
-      for (int column = firstX; column <= box.x1; column += lanes) {
-        const auto edgeAt = [&](int i) HWY_ATTR {
-          const std::int32_t here =
-              start[i] + stepY[i] * (row - box.y0) + stepX[i] * (column - firstX) +
-              (stepX[i] / kSubpixels) * offset.x + (stepY[i] / kSubpixels) * offset.y;
-          return hn::Add(hn::Set(di, here), hn::Mul(ramp, hn::Set(di, stepX[i])));
-        };
-        const auto e0 = edgeAt(0), e1 = edgeAt(1), e2 = edgeAt(2);
-        const auto under =
-            hn::Or(hn::Sub(e0, hn::Set(di, least[0])),
-                   hn::Or(hn::Sub(e1, hn::Set(di, least[1])), hn::Sub(e2, hn::Set(di, least[2]))));
+    const auto edgeAt = [&](int i) HWY_ATTR {
+      const std::int32_t here =
+          start[i] + (stepX[i] / kSubpixels) * offset.x + (stepY[i] / kSubpixels) * offset.y;
+      return hn::Add(hn::Set(di, here), hn::Mul(ramp, hn::Set(di, stepX[i])));
+    };
+    auto row0 = hn::Sub(edgeAt(0), hn::Set(di, least[0])), row1 = edgeAt(1), row2 = edgeAt(2);
+    auto index = static_cast<std::size_t>((box.y0 - target.pixels.y0) * kTileSide + firstX -
+                                          target.pixels.x0);
+    for (int row = box.y0; row <= box.y1; ++row, index += kTileSide) {
+      auto e0 = row0, e1 = row1, e2 = row2;
+      for (int column = 0; column <= columns; column += lanes) {
+        const auto under = hn::Or(e0, hn::Or(hn::Sub(e1, inside1), hn::Sub(e2, inside2)));
         const auto covered = hn::RebindMask(d, hn::Gt(under, hn::Set(di, -1)));
-        if (hn::AllFalse(d, covered)) continue;
-        const auto z = hn::Add(hn::Set(d, plane.z0),
-                               hn::Add(hn::Mul(hn::ConvertTo(d, e1), hn::Set(d, plane.z1)),
-                                       hn::Mul(hn::ConvertTo(d, e2), hn::Set(d, plane.z2))));
-        const auto index = static_cast<std::size_t>((row - target.pixels.y0) * kTileSide +
-                                                    (column - target.pixels.x0));
-        target.take(d, s, index, covered, z, owner);
+        if (!hn::AllFalse(d, covered)) {
+          const auto z = hn::Add(
+              z0, hn::Add(hn::Mul(hn::ConvertTo(d, e1), z1), hn::Mul(hn::ConvertTo(d, e2), z2)));
+          target.take(d, s, index + static_cast<std::size_t>(column), covered, z, owner);
+        }
+        e0 = hn::Add(e0, right0);
+        e1 = hn::Add(e1, right1);
+        e2 = hn::Add(e2, right2);
       }
+      row0 = hn::Add(row0, up0);
+      row1 = hn::Add(row1, up1);
+      row2 = hn::Add(row2, up2);
+    }
   }
 }
 

@@ -41,11 +41,15 @@ void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
   for (int s = 0; s < samples; ++s) {
     static_assert(kNobody == 0xFFFFFFFFu, "bytes of 0xFF");
     std::memset(tile.owner[s], 0xFF, sizeof tile.owner[s]);
-    if (pixels.x1 - pixels.x0 < kTileSide || pixels.y1 - pixels.y0 < kTileSide)
-      std::fill_n(tile.depth[s], kTilePixels, kBeforeEverything);
-    for (int y = pixels.y0; y < pixels.y1; ++y)
-      std::copy_n(frame.depth + y * frame.rowStride + pixels.x0, pixels.x1 - pixels.x0,
-                  tile.depth[s] + (y - pixels.y0) * kTileSide);
+    const int width = pixels.x1 - pixels.x0, height = pixels.y1 - pixels.y0;
+    for (int y = 0; y < height; ++y) {
+      float* const row = tile.depth[s] + y * kTileSide;
+      // A fresh tile's depth may lie there already.
+      const float* const old = frame.depth + (pixels.y0 + y) * frame.rowStride + pixels.x0;
+      if (old != row) std::copy_n(old, width, row);
+      std::fill(row + width, row + kTileSide, kBeforeEverything);
+    }
+    std::fill(tile.depth[s] + height * kTileSide, tile.depth[s] + kTilePixels, kBeforeEverything);
   }
 }
 

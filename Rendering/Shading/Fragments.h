@@ -111,8 +111,8 @@ inline int smoothLevelsOf(const Instance& instance)
 
 /// Colours of the fragments of one tile; alpha 255.
 struct TileColors {
-  alignas(64) Rgba8 pixel[kTilePixels];            ///< where runs lie
-  Array<Rgba8> fragment;                           ///< as FragmentList lists them
+  Rgba8* pixel;           ///< where runs lie; room for kTilePixels, aligned to 64 bytes
+  Array<Rgba8> fragment;  ///< as FragmentList lists them
   RadianceArrays pixelRadiance, fragmentRadiance;  ///< of the two; only with hasRadiance
   bool hasRadiance = false;                        ///< asks the shader for them
   VectorArrays pixelNormal, fragmentNormal;        ///< FrameView::normal; only with hasNormals

@@ -4,6 +4,7 @@
 // Compiled once per instruction set by LightFragments.cpp.
 #include "Rendering/Base/ColorBytes-inl.h"
 #include "Rendering/Base/Simd.h"
+#include "Rendering/Raster/EdgesOfRow-inl.h"
 #include "Rendering/Shading/HatchEquations-inl.h"
 #include "Rendering/Shading/LightEquations-inl.h"
 #include "Rendering/Texture/Procedural-inl.h"
@@ -685,18 +686,12 @@ struct TriangleFragments {
   /// Takes runs until full; returns the first that has no room, or FragmentRun::kNone.
   std::uint16_t take(const FragmentList& fragments, std::uint16_t run)
   {
-    const hn::ScalableTag<std::int32_t> d;
     count = 0;
     for (; run != FragmentRun::kNone; run = fragments.run[run].next) {
       const std::size_t length = fragments.run[run].length;
       if (count + length > kCapacity) break;
-      for (std::size_t i = 0; i < length; i += hn::Lanes(d))
-        hn::StoreU(hn::Iota(d, static_cast<std::int32_t>(fragments.run[run].pixel + i)), d,
-                   pixel + count + i);
       count += length;
     }
-    // Up to a whole vector.
-    hn::StoreU(hn::Set(d, pixel[0]), d, pixel + count);
     return run;
   }
   HWY_INLINE void storeRadiance(Lanes3 value, std::size_t i)
@@ -704,6 +699,19 @@ struct TriangleFragments {
     hn::Store(value.x, D(), radiance[0] + i);
     hn::Store(value.y, D(), radiance[1] + i);
     hn::Store(value.z, D(), radiance[2] + i);
+  }
+  /// Names the pixels of the runs from `run` to before `end`, up to a whole vector.
+  void namePixels(const FragmentList& fragments, std::uint16_t run, std::uint16_t end)
+  {
+    const hn::ScalableTag<std::int32_t> d;
+    std::size_t at = 0;
+    for (; run != end; run = fragments.run[run].next) {
+      const FragmentRun& named = fragments.run[run];
+      for (std::size_t i = 0; i < named.length; i += hn::Lanes(d))
+        hn::StoreU(hn::Iota(d, static_cast<std::int32_t>(named.pixel + i)), d, pixel + at + i);
+      at += named.length;
+    }
+    hn::StoreU(hn::Set(d, pixel[0]), d, pixel + at);
   }
   /// Gives the runs from `run` to before `end` their colours.
   void give(const FragmentList& fragments, std::uint16_t run, std::uint16_t end,
@@ -780,52 +788,74 @@ class TriangleWeights {
         const auto way = hn::Sub(hn::Load(di, from + i), hn::Set(di, centre));
         return hn::Mul(hn::PromoteTo(d, way), hn::Set(d, perSubpixel));
       };
-      storeWeights(pixels(x, kPixelCentre.x), pixels(y, kPixelCentre.y), weight, i, df);
+      const auto column = pixels(x, kPixelCentre.x), row = pixels(y, kPixelCentre.y);
+      const auto share = [&](int k) HWY_ATTR {
+        const auto edge =
+            hn::Add(hn::Set(d, first_[k]), hn::Add(hn::Mul(column, hn::Set(d, perColumn_[k])),
+                                                   hn::Mul(row, hn::Set(d, perRow_[k]))));
+        return hn::Mul(hn::DemoteTo(df, edge), hn::Set(df, inverseW_[k]));
+      };
+      storeWeights(share(0), share(1), share(2), weight, i, df);
     }
   }
 
-  void weigh(TriangleFragments& fragments, bool footprint) const
+  /// At the pixels that take() took from the runs from `run` to before `end`.
+  void weigh(const FragmentList& list, std::uint16_t run, std::uint16_t end, bool footprint,
+             TriangleFragments& fragments) const
   {
-    weighAside(fragments, 0, 0, fragments.weight);
+    weighRuns(list, run, end, 0, 0, fragments.weight);
     if (!footprint) return;
-    weighAside(fragments, 1, 0, fragments.rightWeight);
-    weighAside(fragments, 0, 1, fragments.aboveWeight);
+    weighRuns(list, run, end, 1, 0, fragments.rightWeight);
+    weighRuns(list, run, end, 0, 1, fragments.aboveWeight);
   }
 
  private:
   /// Edge values stay below 2^50, so every step in double is exact.
-  void weighAside(const TriangleFragments& fragments, int right, int up,
-                  float (&weight)[3][TriangleFragments::kRoom]) const
+  void weighRuns(const FragmentList& list, std::uint16_t run, std::uint16_t end, int right, int up,
+                 float (&weight)[3][TriangleFragments::kRoom]) const
   {
-    const hn::ScalableTag<double> d;
-    const hn::Rebind<float, decltype(d)> df;
-    const hn::Rebind<std::int32_t, decltype(d)> di;
-    static_assert(kTileSide == 1 << 6, "a row of a tile is a shift");
-    for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(d)) {
-      const auto pixel = hn::Load(di, fragments.pixel + i);
-      const auto column =
-          hn::PromoteTo(d, hn::Add(hn::And(pixel, hn::Set(di, kTileSide - 1)), hn::Set(di, right)));
-      const auto row = hn::PromoteTo(d, hn::Add(hn::ShiftRight<6>(pixel), hn::Set(di, up)));
-      storeWeights(column, row, weight, i, df);
+    const D df;
+    alignas(64) double columns[3][hn::MaxLanes(D())];
+    for (int k = 0; k < 3; ++k)
+      for (std::size_t lane = 0; lane < hn::Lanes(df); ++lane)
+        columns[k][lane] = static_cast<double>(lane) * perColumn_[k];
+    const auto lanes = static_cast<double>(hn::Lanes(df));
+    const double perVector[3] = {lanes * perColumn_[0], lanes * perColumn_[1],
+                                 lanes * perColumn_[2]};
+    const auto w0 = hn::Set(df, inverseW_[0]), w1 = hn::Set(df, inverseW_[1]),
+               w2 = hn::Set(df, inverseW_[2]);
+    std::size_t at = 0;
+    for (; run != end; run = list.run[run].next) {
+      const auto pixel = static_cast<int>(list.run[run].pixel);
+      const std::size_t length = list.run[run].length;
+      const double column = pixel % kTileSide + right, row = pixel / kTileSide + up;
+      double edge[3];
+      for (int k = 0; k < 3; ++k)
+        edge[k] = first_[k] + (column * perColumn_[k] + row * perRow_[k]);
+      for (std::size_t i = at; i < at + length; i += hn::Lanes(df)) {
+        const auto s0 = hn::Mul(edgesOfRow(df, edge[0], columns[0]), w0);
+        const auto s1 = hn::Mul(edgesOfRow(df, edge[1], columns[1]), w1);
+        const auto s2 = hn::Mul(edgesOfRow(df, edge[2], columns[2]), w2);
+        storeWeights(s0, s1, s2, weight, i, df);
+        for (int k = 0; k < 3; ++k)
+          edge[k] += perVector[k];
+      }
+      at += length;
     }
+    // Up to a whole vector.
+    for (int k = 0; k < 3; ++k)
+      hn::StoreU(hn::Set(df, weight[k][0]), df, weight[k] + at);
   }
 
-  template <class VD, class DF>
-  HWY_INLINE void storeWeights(VD column, VD row, float (&weight)[3][TriangleFragments::kRoom],
-                               std::size_t i, DF df) const
+  template <class V, class DF>
+  HWY_INLINE static void storeWeights(V s0, V s1, V s2,
+                                      float (&weight)[3][TriangleFragments::kRoom], std::size_t i,
+                                      DF df)
   {
-    const hn::DFromV<VD> d;
-    const auto share = [&](int k) HWY_ATTR {
-      const auto edge =
-          hn::Add(hn::Set(d, first_[k]), hn::Add(hn::Mul(column, hn::Set(d, perColumn_[k])),
-                                                 hn::Mul(row, hn::Set(d, perRow_[k]))));
-      return hn::Mul(hn::DemoteTo(df, edge), hn::Set(df, inverseW_[k]));
-    };
-    const auto s0 = share(0), s1 = share(1), s2 = share(2);
     const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
-    hn::Store(hn::Mul(s0, inverse), df, weight[0] + i);
-    hn::Store(hn::Mul(s1, inverse), df, weight[1] + i);
-    hn::Store(hn::Mul(s2, inverse), df, weight[2] + i);
+    hn::StoreU(hn::Mul(s0, inverse), df, weight[0] + i);
+    hn::StoreU(hn::Mul(s1, inverse), df, weight[1] + i);
+    hn::StoreU(hn::Mul(s2, inverse), df, weight[2] + i);
   }
 
   double first_[3], perColumn_[3], perRow_[3];
@@ -864,7 +894,7 @@ void shadeTrianglesKernel(const ShadingContext& context, const TileRectangle& pi
     while (run != FragmentRun::kNone) {
       const std::uint16_t first = run;
       run = fragments.take(list, run);
-      weights.weigh(fragments, footprint);
+      weights.weigh(list, first, run, footprint, fragments);
       if (colors.hasRadiance)
         shadeFragments<true>(shader, fragments);
       else
@@ -916,7 +946,7 @@ void findRunNormalsKernel(const ShadingContext& context, const TileRectangle& pi
     while (run != FragmentRun::kNone) {
       const std::uint16_t first = run;
       run = fragments.take(list, run);
-      weights.weigh(fragments, false);
+      weights.weigh(list, first, run, false, fragments);
       for (std::size_t i = 0; i < fragments.count; i += hn::Lanes(D()))
         fragments.storeRadiance(normalAt(*context.placed->instance, lanes, fragments.weightsAt(i)),
                                 i);

@@ -100,7 +100,8 @@ void runSurfaceShaderKernel(const ShadingContext& context, const TileClusters& c
     while (run != FragmentRun::kNone) {
       const std::uint16_t start = run;
       run = fragments.take(list, run);
-      weights.weigh(fragments, footprint);
+      fragments.namePixels(list, start, run);
+      weights.weigh(list, start, run, footprint, fragments);
       for (std::size_t first = 0; first < fragments.count; first += kMost)
         runOverTriangle(context, pixels, shader, first, std::min(kMost, fragments.count - first),
                         surfaces, fragments);

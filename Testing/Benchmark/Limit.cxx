@@ -215,6 +215,8 @@ private:
     const auto visible = std::make_unique<VisibilityTile>();
     FragmentList fragments;
     const auto colors = std::make_unique<TileColors>();
+    alignas(64) Rgba8 runColor[kTilePixels];
+    colors->pixel = runColor;
     FragmentShader shader;
 
     Limit part;
