@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace limn {
 
@@ -58,6 +59,15 @@ struct PixelRectangle {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
+/// What lines lay over those samples of a pixel that show no instance, for a host that knows what
+/// lies behind these: it makes C into color + C (1 - alpha), where C is not nearer than `depth`.
+struct LinePixel {
+  std::uint16_t x, y;
+  Rgba8 color;  ///< multiplied by its alpha, the share of the samples that is the lines'; not 0
+  float depth;  ///< of the nearest of the lines
+  std::uint8_t samples;  ///< bit s set: for sample s, which `coverage` has not
+};
+
 /// Where a picture goes: borrowed rows, row 0 at the bottom, as glReadPixels has it. The scene is
 /// drawn over what the frame holds: `color` and `depth` are read and written.
 struct FrameView {
@@ -72,6 +82,11 @@ struct FrameView {
   std::uint32_t* instance = nullptr;  ///< Instance::id of the nearest sample; may be null
   std::uint32_t* cell = nullptr;      ///< cell of the nearest sample; may be null
   Background background = Background::kBlend;
+  /// May be null; read with Background::kKeepApart and `coverage` alone. Lines cover whole samples
+  /// then where they cover all of a pixel, and what else they do to samples that show nothing is
+  /// put in here, as bytes alone and in any order that is always the same: at most one a pixel.
+  /// Null: they cover the number of samples that is nearest to their share.
+  std::vector<LinePixel>* linePixels = nullptr;
   FrameClear clear;
   /// All three or none. Read and written as `color` is, but for the mean of a pixel's samples,
   /// which is linear here: the sum over the triangles seen, in the order of their first samples, of

@@ -315,6 +315,7 @@ Status render(const Scene& scene, const FrameView& frame, const RenderOptions& o
 {
   const FloatMode mode;
   if (Status status = checkScene(scene, frame, options.backend); !status.ok()) return status;
+  if (frame.linePixels != nullptr) frame.linePixels->clear();
   RenderStats frameStats;
   if (options.backend == Backend::kReference) {
     const Stopwatch time;

@@ -3,6 +3,7 @@
 #include "vtkLimnActor.h"
 
 #include "Private/BackendMapper.h"
+#include "Private/DrawSurfaces.h"
 #include "Private/ShaderProperty.h"
 
 #include "vtkLimnProperty.h"
@@ -66,6 +67,7 @@ int vtkLimnActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
 {
   if (!IsInLimnWindow(viewport))
   {
+    limn::bridge::blendWaitingLines(static_cast<vtkRenderer*>(viewport));
     return this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
   }
   vtkRenderer* renderer = static_cast<vtkRenderer*>(viewport);
@@ -77,6 +79,14 @@ int vtkLimnActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
   this->Render(renderer, this->Mapper);
   this->InTranslucentPass = false;
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkLimnActor::RenderVolumetricGeometry(vtkViewport* viewport)
+{
+  // The first that renderers without anything translucent ask for after the opaque actors.
+  limn::bridge::blendWaitingLines(static_cast<vtkRenderer*>(viewport));
+  return this->Superclass::RenderVolumetricGeometry(viewport);
 }
 
 //------------------------------------------------------------------------------

@@ -31,6 +31,7 @@ public:
    */
   int RenderOpaqueGeometry(vtkViewport* viewport) override;
   int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  int RenderVolumetricGeometry(vtkViewport* viewport) override;
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
   ///@}
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLimnCompositor.h"
 
+#include "Private/DrawSurfaces.h"
+
 #include "vtkMapper.h"
 #include "vtkObjectFactory.h"
 
@@ -74,4 +76,10 @@ void vtkLimnCompositor::RenderMapperWithBackend(
 void vtkLimnCompositor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+}
+
+//------------------------------------------------------------------------------
+void vtkLimnCompositor::BlendWaitingLines(vtkRenderer* renderer)
+{
+  limn::bridge::blendWaitingLines(renderer);
 }

@@ -20,6 +20,8 @@
 #include "vtkLimnModule.h" // for export macro
 #include "vtkObject.h"
 
+#include <cstddef> // for size_t
+
 class vtkActor;
 class vtkMapper;
 class vtkPolyDataMapper;
@@ -77,6 +79,40 @@ public:
    * multiplied by alpha: a pixel's covered samples get their mean. False on an error (reported).
    */
   virtual bool Blend(vtkRenderer* renderer, const Layer& layer) = 0;
+
+  /**
+   * What lines lay over those samples of single pixels that show nothing of the last layer.
+   */
+  struct LinePixel
+  {
+    unsigned short X;
+    unsigned short Y;
+    unsigned char Color[4]; ///< RGBA, multiplied by alpha
+    float Depth;            ///< window depth in [0, 1] of the nearest of the lines
+    unsigned char Samples;  ///< bit s set: of sample s
+  };
+  struct LineLayer
+  {
+    int Width;
+    int Height;
+    int Samples;
+    const LinePixel* Pixels;
+    size_t Count;
+    bool WritesDepth; ///< that of pixels of which lines cover half or more
+  };
+
+  /**
+   * Blends lines over what is not nearer than they are, in the renderer's viewport of the window's
+   * own framebuffer, whatever framebuffer is bound. Call it after Composite() or Blend() of the
+   * layer, and when all is drawn that may lie behind them. False on an error (reported).
+   */
+  virtual bool BlendLines(vtkRenderer* renderer, const LineLayer& lines) = 0;
+
+  /**
+   * For actors in windows of other backends, when their renderer goes on from the opaque actors to
+   * others: blends the lines of Limn's actors that have waited for these, if there are any.
+   */
+  static void BlendWaitingLines(vtkRenderer* renderer);
 
   /**
    * Draws an actor with the backend's own mapper, as if Limn were not there: same input, lookup

@@ -28,6 +28,20 @@ void vtkLimnOpenGLActor::Render(vtkRenderer* renderer, vtkMapper* mapper)
 }
 
 //------------------------------------------------------------------------------
+int vtkLimnOpenGLActor::RenderTranslucentPolygonalGeometry(vtkViewport* viewport)
+{
+  vtkLimnCompositor::BlendWaitingLines(static_cast<vtkRenderer*>(viewport));
+  return this->Superclass::RenderTranslucentPolygonalGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
+int vtkLimnOpenGLActor::RenderVolumetricGeometry(vtkViewport* viewport)
+{
+  vtkLimnCompositor::BlendWaitingLines(static_cast<vtkRenderer*>(viewport));
+  return this->Superclass::RenderVolumetricGeometry(viewport);
+}
+
+//------------------------------------------------------------------------------
 void vtkLimnOpenGLActor::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

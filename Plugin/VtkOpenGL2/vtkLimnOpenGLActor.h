@@ -34,6 +34,14 @@ public:
 
   void Render(vtkRenderer* renderer, vtkMapper* mapper) override;
 
+  ///@{
+  /**
+   * As vtkOpenGLActor's, after Limn's lines that wait for all opaque actors.
+   */
+  int RenderTranslucentPolygonalGeometry(vtkViewport* viewport) override;
+  int RenderVolumetricGeometry(vtkViewport* viewport) override;
+  ///@}
+
 protected:
   vtkLimnOpenGLActor() = default;
   ~vtkLimnOpenGLActor() override = default;

@@ -178,9 +178,14 @@ bool vtkLimnOpenGLCompositor::IsValid(const Layer& layer)
     vtkErrorMacro("A layer needs colour, depth and coverage; one of them is missing.");
     return false;
   }
-  if (layer.Samples != 1 && layer.Samples != 2 && layer.Samples != 4 && layer.Samples != 8)
+  return this->IsSampled(layer.Samples);
+}
+
+bool vtkLimnOpenGLCompositor::IsSampled(int samples)
+{
+  if (samples != 1 && samples != 2 && samples != 4 && samples != 8)
   {
-    vtkErrorMacro("A layer has 1, 2, 4 or 8 samples per pixel, not " << layer.Samples << ".");
+    vtkErrorMacro("A layer has 1, 2, 4 or 8 samples per pixel, not " << samples << ".");
     return false;
   }
   return true;
@@ -217,21 +222,22 @@ bool vtkLimnOpenGLCompositor::ReadDepth(vtkRenderer* renderer, int width, int he
            origin[0], origin[1], origin[0] + width - 1, origin[1] + height - 1, depth) == VTK_OK;
 }
 
-bool vtkLimnOpenGLCompositor::Blend(vtkRenderer* renderer, const Layer& layer)
+template <class Paint>
+bool vtkLimnOpenGLCompositor::PaintInOwnFramebuffer(
+  vtkRenderer* renderer, int width, int height, const Paint& paint)
 {
   vtkOpenGLRenderWindow* window = this->GetWindow(renderer);
-  if (!window || !this->IsValid(layer))
+  if (!window)
   {
     return false;
   }
   int size[2];
   int origin[2];
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
-  if (layer.Width != size[0] || layer.Height != size[1])
+  if (width != size[0] || height != size[1])
   {
-    vtkErrorMacro("The layer is " << layer.Width << " x " << layer.Height
-                                  << " pixels, but the viewport " << size[0] << " x " << size[1]
-                                  << ".");
+    vtkErrorMacro("The layer is " << width << " x " << height << " pixels, but the viewport "
+                                  << size[0] << " x " << size[1] << ".");
     return false;
   }
   // VTK's translucent passes have framebuffers of their own, which they lay over this one.
@@ -240,9 +246,27 @@ bool vtkLimnOpenGLCompositor::Blend(vtkRenderer* renderer, const Layer& layer)
   state->PushFramebufferBindings();
   window->GetRenderFramebuffer()->Bind();
   state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
-  const bool isPainted = this->Internals->StateOf(window, this).Painter.Blend(layer);
+  const bool isPainted = paint(this->Internals->StateOf(window, this).Painter);
   state->PopFramebufferBindings();
-  return this->IsAccepted(layer, isPainted);
+  return isPainted;
+}
+
+bool vtkLimnOpenGLCompositor::Blend(vtkRenderer* renderer, const Layer& layer)
+{
+  return this->IsValid(layer) &&
+         this->PaintInOwnFramebuffer(renderer, layer.Width, layer.Height,
+           [&](LayerPainter& painter) { return this->IsAccepted(layer, painter.Blend(layer)); });
+}
+
+bool vtkLimnOpenGLCompositor::BlendLines(vtkRenderer* renderer, const LineLayer& lines)
+{
+  return this->IsSampled(lines.Samples) &&
+         this->PaintInOwnFramebuffer(renderer, lines.Width, lines.Height,
+           [&](LayerPainter& painter)
+           {
+             painter.BlendLines(lines);
+             return true;
+           });
 }
 
 void vtkLimnOpenGLCompositor::RenderWithBackend(

@@ -6,7 +6,8 @@
  *
  * Uploads the touched rectangle of a layer and draws it with colour and depth. In a multisampled
  * framebuffer each pixel writes just the samples that Limn covered, so that VTK's own resolve
- * blends its edges with whatever else is drawn there, before or after. What Limn does not draw is
+ * blends its edges with whatever else is drawn there, before or after. Lines that cover a part of
+ * such a sample are blended when all opaque actors are drawn. What Limn does not draw is
  * drawn by vtkOpenGLPolyDataMapper.
  *
  * One object serves any number of windows; what it keeps for a window goes with the window.
@@ -54,6 +55,11 @@ public:
    */
   bool Blend(vtkRenderer* renderer, const Layer& layer) override;
 
+  /**
+   * Errors: as Composite().
+   */
+  bool BlendLines(vtkRenderer* renderer, const LineLayer& lines) override;
+
   void RenderWithBackend(
     vtkRenderer* renderer, vtkActor* actor, vtkPolyDataMapper* mapper) override;
 
@@ -73,7 +79,10 @@ private:
 
   vtkOpenGLRenderWindow* GetWindow(vtkRenderer* renderer);
   bool IsValid(const Layer& layer);
+  bool IsSampled(int samples);
   bool IsAccepted(const Layer& layer, bool isPainted);
+  template <class Paint>
+  bool PaintInOwnFramebuffer(vtkRenderer* renderer, int width, int height, const Paint& paint);
   void NoteSelection(vtkRenderer* renderer, vtkActor* actor, vtkOpenGLPolyDataMapper* twin);
 
   void ForgetWindow(vtkObject* window, unsigned long event, void* data);

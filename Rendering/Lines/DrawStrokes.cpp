@@ -4,6 +4,7 @@
 
 #include "Rendering/Lines/HaloCut.h"
 #include "Rendering/Lines/LinePlace.h"
+#include "Rendering/Lines/StrokeBlend.h"
 #include "Rendering/Lines/StrokePieces.h"
 #include "Rendering/Lines/TileStroke.h"
 #include "Rendering/Base/ParallelStretches.h"
@@ -91,103 +92,6 @@ class StrokeBins {
   std::vector<std::uint32_t> first_, piece_;
 };
 
-float mixed(float old, float line, float a)
-{
-  return old + (line - old) * a;
-}
-
-std::uint8_t mixedByte(std::uint8_t old, float line, float a)
-{
-  return static_cast<std::uint8_t>(std::floor(mixed(old, line, a) + 0.5f));
-}
-
-float fullByte(float channel)
-{
-  return (channel < 1.0f ? channel : 1.0f) * 255.0f;
-}
-
-std::uint32_t bitCount(std::uint32_t bits)
-{
-  std::uint32_t count = 0;
-  for (; bits != 0; bits &= bits - 1)
-    ++count;
-  return count;
-}
-
-/// Lays one group over the pixels of a frame.
-class StrokeBlend {
- public:
-  StrokeBlend(const StrokeGroup& group, const FrameView& frame, const HaloCut* cut, int samples)
-      : frame_(frame),
-        cut_(cut),
-        instance_(group.instance),
-        opacity_(group.opacity),
-        radiance_(group.color),
-        bytes_{fullByte(group.color.x), fullByte(group.color.y), fullByte(group.color.z), 255.0f},
-        samples_(static_cast<std::uint32_t>(samples)),
-        keepsApart_(frame.background == Background::kKeepApart && frame.coverage != nullptr)
-  {
-  }
-
-  void blend(int x, int y, float coverage, float depth) const
-  {
-    if (cut_ != nullptr) {
-      coverage *= 1.0f - cut_->shareAt(x, y, depth, instance_);
-      if (!(coverage > 0.0f)) return;
-    }
-    const std::ptrdiff_t index = y * frame_.rowStride + x;
-    const float a = coverage * opacity_;
-    const bool isNew = keepsApart_ ? blendSamples(index, a) : blendAll(index, a);
-    if ((a >= 0.5f || isNew) && depth < frame_.depth[index]) frame_.depth[index] = depth;
-  }
-
- private:
-  bool blendAll(std::ptrdiff_t index, float a) const
-  {
-    mix(index, a);
-    return false;
-  }
-  void mix(std::ptrdiff_t index, float a) const
-  {
-    Rgba8& color = frame_.color[index];
-    color = {mixedByte(color.r, bytes_.x, a), mixedByte(color.g, bytes_.y, a),
-             mixedByte(color.b, bytes_.z, a), mixedByte(color.a, bytes_.w, a)};
-    if (frame_.radiance.empty()) return;
-    const RadianceView& planes = frame_.radiance;
-    planes.r[index] = mixed(planes.r[index], radiance_.x, a);
-    planes.g[index] = mixed(planes.g[index], radiance_.y, a);
-    planes.b[index] = mixed(planes.b[index], radiance_.z, a);
-  }
-  /// Whether the pixel shows something only now.
-  bool blendSamples(std::ptrdiff_t index, float a) const
-  {
-    std::uint32_t bits = frame_.coverage[index];
-    const std::uint32_t old = bitCount(bits), open = samples_ - old;
-    const auto more = static_cast<std::uint32_t>(std::floor(a * static_cast<float>(open) + 0.5f));
-    if (old + more == 0) return false;
-    // Of all samples that are covered now, the line's share.
-    const float share =
-        (static_cast<float>(more) + a * static_cast<float>(old)) / static_cast<float>(old + more);
-    mix(index, share);
-    for (std::uint32_t s = 0, left = more; left > 0; ++s) {
-      if ((bits >> s & 1u) != 0) continue;
-      bits |= 1u << s;
-      --left;
-    }
-    frame_.coverage[index] = static_cast<std::uint8_t>(bits);
-    return old == 0;
-  }
-
-  const FrameView& frame_;
-  const HaloCut* cut_;
-  std::uint32_t instance_;
-  float opacity_;
-  Vec3f radiance_;
-  Vec4f bytes_;
-  std::uint32_t samples_;
-  bool keepsApart_;
-};
-
 /// The strokes of one tile, group by group.
 class TilePainter {
  public:
@@ -197,9 +101,14 @@ class TilePainter {
   {
     thread_local const auto memory = std::make_unique<StrokeTile>();
     memory_ = memory.get();
+    if (!wantsLinePixels(frame)) return;
+    thread_local const auto open = std::make_unique<OpenSamples>();
+    open_ = open.get();
+    open_->begin(tile);
   }
 
-  void paint(Span<const std::uint32_t> pieces)
+  /// What goes to FrameView::linePixels is appended to `linePixels`.
+  void paint(Span<const std::uint32_t> pieces, std::vector<LinePixel>& linePixels)
   {
     std::size_t next = 0;
     for (const StrokeGroup& group : plan_.groups) {
@@ -208,6 +117,7 @@ class TilePainter {
         ++next;
       if (next > first) paintGroup(group, {pieces.data() + first, next - first});
     }
+    if (open_ != nullptr) open_->collect(frame_, samples_, linePixels);
   }
 
  private:
@@ -225,7 +135,7 @@ class TilePainter {
       x1 = std::max(x1, stroke.x1);
       y1 = std::max(y1, stroke.y1);
     }
-    const StrokeBlend blend(group, frame_, cut_, samples_);
+    const StrokeBlend blend(group, frame_, cut_, open_, samples_);
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) {
         const float coverage = memory_->coverage[y * kTileSide + x];
@@ -240,6 +150,7 @@ class TilePainter {
   int samples_;
   TileRectangle tile_;
   StrokeTile* memory_;
+  OpenSamples* open_ = nullptr;
 };
 
 /// A box on the screen that grows; everything where something has no place on it.
@@ -316,12 +227,16 @@ void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers
   StrokeBins bins(plan, grid, threads);
   std::optional<HaloCut> cut;
   if (layers != nullptr && !layers->halo.empty()) cut.emplace(scene, *layers);
+  std::vector<std::vector<LinePixel>> linePixels(grid.count());
   parallelFor(threads, grid.count(), [&](std::size_t tile) {
     const Span<const std::uint32_t> pieces = bins.sorted(tile);
     if (pieces.empty()) return;
     TilePainter(plan, frame, cut ? &*cut : nullptr, scene.samples, grid.rectangle(tile))
-        .paint(pieces);
+        .paint(pieces, linePixels[tile]);
   });
+  if (!wantsLinePixels(frame)) return;
+  for (const std::vector<LinePixel>& ofTile : linePixels)
+    frame.linePixels->insert(frame.linePixels->end(), ofTile.begin(), ofTile.end());
 }
 
 }  // namespace limn

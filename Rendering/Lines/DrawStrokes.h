@@ -19,9 +19,11 @@ TileRectangle boundStrokes(const Scene& scene, int width, int height, int thread
 /// says: the bytes of Reference/ReferenceStrokes. With Background::kBlend colours become
 /// C + (line - C) a with a the coverage times the opacity, and the radiance likewise; with
 /// kKeepApart, and a plane of coverage, those of the covered samples, while round(a n) of the n
-/// uncovered samples become covered, by the line alone. Depths become those of the nearest line
-/// where a >= 1/2, or the pixel was not covered before, and it is nearer. `layers` are the frame's,
-/// or null; their halos take from the coverage.
+/// uncovered samples become covered, by the line alone. With FrameView::linePixels all of these do
+/// where a is 1, and none elsewhere, where a line makes the premultiplied color P of the samples,
+/// alpha too, into P + (line - P) a, in float until all lines are drawn. Depths become those of the
+/// nearest line where a >= 1/2, or the pixel was not covered before, and it is nearer. `layers` are
+/// the frame's, or null; their halos take from the coverage.
 void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
                  int threads);
 

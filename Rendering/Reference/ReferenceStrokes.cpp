@@ -90,6 +90,7 @@ class Lines {
         old_[pixel(x, y)] = frame.depth[y * frame.rowStride + x];
     coverage_.resize(pixels);
     depth_.resize(pixels);
+    if (isSplit()) open_.resize(pixels, Open{{0, 0, 0, 0}, 1});
   }
 
   void draw()
@@ -103,9 +104,23 @@ class Lines {
         if (i + 1 == instance.lines.size() || !(instance.lines[i + 1].style == set.style))
           blend(set.style, instance);
       }
+    if (isSplit()) listOpen();
   }
 
  private:
+  /// What lines have laid over those samples of a pixel that show nothing.
+  struct Open {
+    Vec4f color;  ///< multiplied by alpha, 255 is full
+    float depth;
+  };
+
+  /// Whether samples that show nothing are left to the host.
+  bool isSplit() const
+  {
+    return frame_.background == Background::kKeepApart && frame_.coverage != nullptr &&
+           frame_.linePixels != nullptr;
+  }
+
   std::size_t pixel(int x, int y) const
   {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
@@ -566,7 +581,11 @@ class Lines {
       for (int s = 0; s < scene_.samples; ++s)
         if ((frame_.coverage[index] >> s & 1) == 0) open.push_back(s);
       const int covered = scene_.samples - static_cast<int>(open.size());
-      const int more = static_cast<int>(std::floor(a * static_cast<float>(open.size()) + 0.5f));
+      int more = static_cast<int>(std::floor(a * static_cast<float>(open.size()) + 0.5f));
+      if (isSplit() && a < 1) {
+        more = 0;
+        addOpen(style, index, a, depth);
+      }
       if (covered + more == 0) return;
       share = (static_cast<float>(more) + a * static_cast<float>(covered)) /
               static_cast<float>(covered + more);
@@ -592,6 +611,39 @@ class Lines {
     if ((a >= 0.5f || isNew) && depth < frame_.depth[index]) frame_.depth[index] = depth;
   }
 
+  void addOpen(const LineStyle& style, std::ptrdiff_t index, float a, float depth)
+  {
+    Open& open = open_[pixel(static_cast<int>(index % frame_.rowStride),
+                             static_cast<int>(index / frame_.rowStride))];
+    const auto over = [&](float old, float line) {
+      return old + (std::min(line, 1.0f) * 255.0f - old) * a;
+    };
+    open.color = {over(open.color.x, style.color.x), over(open.color.y, style.color.y),
+                  over(open.color.z, style.color.z), over(open.color.w, 1.0f)};
+    open.depth = std::min(open.depth, depth);
+  }
+
+  void listOpen() const
+  {
+    const auto byte = [](float value) {
+      return static_cast<std::uint8_t>(std::floor(value + 0.5f));
+    };
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x) {
+        const Open& open = open_[pixel(x, y)];
+        LinePixel one = {
+            static_cast<std::uint16_t>(x),
+            static_cast<std::uint16_t>(y),
+            {byte(open.color.x), byte(open.color.y), byte(open.color.z), byte(open.color.w)},
+            open.depth,
+            0};
+        for (int s = 0; s < scene_.samples; ++s)
+          if ((frame_.coverage[y * frame_.rowStride + x] >> s & 1) == 0)
+            one.samples = static_cast<std::uint8_t>(one.samples | 1 << s);
+        if (one.color.a > 0 && one.samples != 0) frame_.linePixels->push_back(one);
+      }
+  }
+
   const Scene& scene_;
   const FrameView& frame_;
   const std::vector<Layer>& layers_;
@@ -599,6 +651,7 @@ class Lines {
   Mat4d toClip_ = Mat4d::identity();
   std::vector<float> old_;               ///< depths of the surfaces
   std::vector<float> coverage_, depth_;  ///< of the drawing that is being made
+  std::vector<Open> open_;
 };
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <functional>
 
 namespace limn {
@@ -339,6 +340,47 @@ TEST_P(EveryTarget, DrawsSharesOfLinesLikeTheReference)
     changedPixels += wide.differingPixels(actual);
   }
   EXPECT_GT(changedPixels, 20000u / stride()) << "shares must show";
+}
+
+std::size_t pixelOf(const Picture& picture, const LinePixel& one)
+{
+  return static_cast<std::size_t>(one.y) * static_cast<std::size_t>(picture.width) + one.x;
+}
+
+bool same(const LinePixel& a, const LinePixel& b)
+{
+  return a.x == b.x && a.y == b.y && std::memcmp(&a.color, &b.color, sizeof a.color) == 0 &&
+         std::memcmp(&a.depth, &b.depth, sizeof a.depth) == 0 && a.samples == b.samples;
+}
+
+TEST_P(EveryTarget, KeepsSharesOfLinesApartLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t pixels = 0, partly = 0;
+  for (std::uint32_t seed = 0; seed < 200; seed += stride()) {
+    const RandomScene random(seed, RandomScene::Detail::kLines);
+    Picture expected = random.canvas(), actual = random.canvas();
+    for (Picture* picture : {&expected, &actual}) {
+      const RenderOptions options = picture == &expected
+                                        ? RenderOptions{Backend::kReference, 1}
+                                        : RenderOptions{Backend::kPipeline, kThreads[seed % 4]};
+      if (seed % 3 == 0) picture->addRadiance();
+      FrameView frame = picture->frame(Background::kKeepApart);
+      frame.linePixels = &picture->linePixels;
+      ASSERT_TRUE(render(random.scene(), frame, options).ok());
+      picture->sortLinePixels();
+    }
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+    ASSERT_EQ(actual.linePixels.size(), expected.linePixels.size()) << "seed " << seed;
+    for (std::size_t i = 0; i < actual.linePixels.size(); ++i) {
+      const LinePixel& one = actual.linePixels[i];
+      ASSERT_TRUE(same(one, expected.linePixels[i])) << "seed " << seed;
+      partly += actual.coverage.empty() ? 0 : actual.coverage[pixelOf(actual, one)] != 0;
+    }
+    pixels += actual.linePixels.size();
+  }
+  EXPECT_GT(pixels, 2000u);
+  EXPECT_GT(partly, 500u / stride()) << "some pixels show a surface too";
 }
 
 TEST_P(EveryTarget, FindsNormalsLikeTheReference)

@@ -219,6 +219,13 @@ void Picture::addNormals()
     plane.resize(color.size());
 }
 
+void Picture::sortLinePixels()
+{
+  std::sort(linePixels.begin(), linePixels.end(), [](const LinePixel& a, const LinePixel& b) {
+    return a.y != b.y ? a.y < b.y : a.x < b.x;
+  });
+}
+
 std::size_t Picture::differingPixels(const Picture& other) const
 {
   const auto floatsDiffer = [&](std::size_t i) {

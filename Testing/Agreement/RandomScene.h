@@ -67,12 +67,15 @@ struct Picture {
   std::vector<std::uint32_t> instance, cell;
   std::array<std::vector<float>, 3> radiance;  ///< empty unless asked for
   std::array<std::vector<float>, 3> normal;    ///< likewise
+  std::vector<LinePixel> linePixels;           ///< FrameView's, if a frame was given them
 
   Picture(int width, int height);
   FrameView frame(Background background);
   /// Of the colours that the picture has now.
   void addRadiance();
   void addNormals();
+  /// By rows, for comparisons.
+  void sortLinePixels();
   /// Pixels in which any plane differs, by bits.
   std::size_t differingPixels(const Picture& other) const;
 };

@@ -27,6 +27,7 @@ constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 422314681313311824u;
 constexpr std::uint64_t kHashOfLineShares = 15202610708990862064u;
+constexpr std::uint64_t kHashOfLinePixels = 4552848501986417983u;
 constexpr std::uint64_t kHashOfImageLines = 223056381221696186u;
 constexpr std::uint64_t kHashOfCreases = 17731590542988643216u;
 constexpr std::uint64_t kHashOfIdBorders = 10322215869986217783u;
@@ -91,6 +92,36 @@ std::uint64_t hashOfPostEffects()
     hash.add(picture.color);
     for (const std::vector<float>& plane : picture.radiance)
       hash.add(plane);
+  }
+  return hash.value();
+}
+
+std::uint64_t hashOfLinePixels()
+{
+  Hash hash;
+  for (std::uint32_t seed = 5000; seed < 5100; ++seed) {
+    const RandomScene random(seed, RandomScene::Detail::kLines);
+    Picture picture = random.canvas();
+    FrameView frame = picture.frame(Background::kKeepApart);
+    frame.linePixels = &picture.linePixels;
+    const Status status = render(random.scene(), frame);
+    EXPECT_TRUE(status.ok()) << status.message;
+    picture.sortLinePixels();
+    hash.add(picture.color);
+    hash.add(picture.depth);
+    hash.add(picture.coverage);
+    // Value by value: there is room between them.
+    std::vector<std::uint32_t> values;
+    std::vector<Rgba8> colors;
+    std::vector<float> depths;
+    for (const LinePixel& one : picture.linePixels) {
+      values.insert(values.end(), {one.x, one.y, one.samples});
+      colors.push_back(one.color);
+      depths.push_back(one.depth);
+    }
+    hash.add(values);
+    hash.add(colors);
+    hash.add(depths);
   }
   return hash.value();
 }
@@ -233,6 +264,13 @@ TEST_P(SameBytes, LineSharesHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kLineShares);
   std::cout << "kHashOfLineShares " << hash << '\n';
   EXPECT_EQ(hash, kHashOfLineShares);
+}
+
+TEST_P(SameBytes, LinePixelsHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfLinePixels();
+  std::cout << "kHashOfLinePixels " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfLinePixels);
 }
 
 INSTANTIATE_TEST_SUITE_P(Targets, SameBytes, ::testing::ValuesIn(availableTargets()),

@@ -452,6 +452,113 @@ TEST_P(Strokes, ApartFromTheBackgroundALineIsItsShareOfSamples)
   }
 }
 
+/// A stage's lines apart from the background, as a host lays them over white: whole samples first,
+/// then the shares.
+std::vector<double> greenOverWhite(const Stage& stage, Backend backend)
+{
+  Picture picture(stage.width, stage.height);
+  std::vector<LinePixel> shares;
+  FrameView frame = picture.frame(Background::kKeepApart);
+  frame.linePixels = &shares;
+  EXPECT_TRUE(render(stage.scene(), frame, {backend, 2}).ok());
+  std::vector<double> green;
+  for (std::size_t i = 0; i < picture.color.size(); ++i) {
+    EXPECT_TRUE(picture.coverage[i] == 0 ||
+                testing::bitCount(picture.coverage[i]) == stage.samples);
+    green.push_back(picture.coverage[i] == 0 ? 255.0 : picture.color[i].g);
+  }
+  std::vector<int> count(green.size());
+  for (const LinePixel& one : shares) {
+    const auto i = static_cast<std::size_t>(one.y * stage.width + one.x);
+    EXPECT_EQ(testing::bitCount(one.samples), stage.samples);
+    EXPECT_EQ(picture.coverage[i], 0);
+    EXPECT_EQ(++count[i], 1);
+    EXPECT_LT(one.depth, 1);
+    green[i] = one.color.g + green[i] * (1 - one.color.a / 255.0);
+  }
+  return green;
+}
+
+// A ramp of colours from line to line, some of them translucent, one over the other.
+TEST_P(Strokes, SharesLaidOverTheBackgroundByTheHostAreTheLinesDrawnOverIt)
+{
+  for (const int samples : {1, 4}) {
+    Stage stage = testing::pixelStage(64, samples);
+    std::vector<Polylines> lines(4);
+    std::vector<LineSet> sets;
+    for (int i = 0; i < 4; ++i) {
+      lines[static_cast<std::size_t>(i)].add({{10.3, 8.1 + 9 * i, -3}, {54.2, 30.3 + 5 * i, -2}});
+      LineStyle style = redLine(1.2f + 0.65f * static_cast<float>(i));
+      style.color.y = 0.3f * static_cast<float>(i);
+      style.opacity = i == 2 ? 0.6f : 1;
+      sets.push_back(lines[static_cast<std::size_t>(i)].lines(style));
+    }
+    stage.instances = {testing::painted(nothing(), {0, 0, 1})};
+    stage.instances[0].lines = sets;
+    Picture expected(64, 64);
+    std::fill(expected.color.begin(), expected.color.end(), Rgba8{255, 255, 255, 255});
+    stage.drawOver(expected, GetParam());
+    const std::vector<double> green = greenOverWhite(stage, GetParam());
+    double sum = 0, wanted = 0;
+    for (std::size_t i = 0; i < green.size(); ++i) {
+      // Rounding: the drawing's, that of the share and of its colour; where lines cross, more.
+      ASSERT_NEAR(green[i], expected.color[i].g, 2.5) << i << ' ' << samples;
+      sum += 255 - green[i];
+      wanted += 255 - expected.color[i].g;
+    }
+    EXPECT_NEAR(sum / wanted, 1, 0.001);
+    EXPECT_GT(wanted, 255 * 100);
+  }
+}
+
+TEST_P(Strokes, SharesAreOfTheSamplesThatShowNothing)
+{
+  Stage stage = testing::pixelStage(64, 4);
+  Polylines line;
+  line.add({{10, 32.2, -2}, {54, 32.2, -2}});  // the surface's lower border runs in its middle
+  const std::vector<LineSet> sets = {line.lines(redLine(0.4f))};
+  const OwnedMesh half = testing::sheet({0, 32.5, -3}, {64, 0, 0}, {0, 20, 0});
+  stage.instances = {testing::painted(half, {0, 0, 1})};
+  stage.instances[0].lines = sets;
+  Picture picture(64, 64);
+  std::vector<LinePixel> shares = {{}, {}};
+  FrameView frame = picture.frame(Background::kKeepApart);
+  frame.linePixels = &shares;
+  ASSERT_TRUE(render(stage.scene(), frame, {GetParam(), 1}).ok());
+  ASSERT_EQ(shares.size(), 44u) << "old ones are gone";
+  for (const LinePixel& one : shares) {
+    const auto i = static_cast<std::size_t>(one.y * 64 + one.x);
+    EXPECT_EQ(one.y, 32);
+    EXPECT_EQ(one.samples ^ picture.coverage[i], 15);
+    EXPECT_EQ(testing::bitCount(one.samples), 2);
+    EXPECT_EQ(one.color.a, 102) << "0.4 of the pixel";
+    EXPECT_EQ(one.color.r, 102);
+    EXPECT_EQ(picture.color[i].r, 102) << "of the others, too";
+    EXPECT_EQ(picture.color[i].a, 255);
+  }
+}
+
+TEST_P(Strokes, SharesAreKeptApartOnlyWithTheBackground)
+{
+  Stage stage = testing::pixelStage(64, 1);
+  Polylines line;
+  line.add({{10, 32.2, -2}, {54, 32.2, -2}});
+  const std::vector<LineSet> sets = {line.lines(redLine(0.4f))};
+  stage.instances = {testing::painted(nothing(), {0, 0, 1})};
+  stage.instances[0].lines = sets;
+  const Picture expected = stage.draw(GetParam());
+  std::vector<LinePixel> shares = {{}};
+  for (const bool blends : {true, false}) {
+    Picture picture(64, 64);
+    FrameView frame = picture.frame(blends ? Background::kBlend : Background::kKeepApart);
+    if (!blends) frame.coverage = nullptr;
+    frame.linePixels = &shares;
+    ASSERT_TRUE(render(stage.scene(), frame, {GetParam(), 1}).ok());
+    EXPECT_TRUE(shares.empty());
+    EXPECT_EQ(at(picture, 30, 32).r, at(expected, 30, 32).r);
+  }
+}
+
 TEST_P(Strokes, OuterSegmentsAreHeavier)
 {
   Polylines line;

@@ -71,11 +71,20 @@ public:
     }
     this->Samples = this->Compositor->GetSamples(renderer);
     this->Drawn = this->Layer && this->Compositor->Composite(renderer, this->Layer->Get());
+    if (this->Drawn && !this->Lines.empty())
+    {
+      const vtkLimnCompositor::Layer& layer = this->Layer->Get();
+      this->Drawn = this->Compositor->BlendLines(
+        renderer, { layer.Width, layer.Height, layer.Samples, this->Lines.data(),
+                    this->Lines.size(), this->WritesDepth });
+    }
     return 1;
   }
 
   OwnedLayer* Layer = nullptr;
   bool IsBlended = false;
+  std::vector<vtkLimnCompositor::LinePixel> Lines; ///< blended after Composite
+  bool WritesDepth = true;
   vtkSmartPointer<vtkLimnCompositor> Compositor;
   int Samples = 0;    ///< what GetSamples said in the last frame
   bool Drawn = false; ///< what Composite said in the last frame

@@ -283,6 +283,82 @@ TEST(LayerComposite, BlendsSharesOfTranslucentLayersWithoutMultisampling)
   EXPECT_EQ(picture.At(13, 20)[0], 26) << "a pixel without coverage was written";
 }
 
+vtkLimnCompositor::LinePixel LineAt(unsigned short x, unsigned char alpha, unsigned char samples)
+{
+  vtkLimnCompositor::LinePixel pixel = { x, 20, { 0, 0, 0, alpha }, 0.5f, samples };
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    pixel.Color[channel] = static_cast<unsigned char>(Orange[channel] * alpha / 255);
+  }
+  return pixel;
+}
+
+// What lines cover wholly is what a layer covers; the first pixel tells one from the other.
+TEST(LayerComposite, BlendsLinesIntoTheirSamples)
+{
+  for (const int samples : { 0, 4 })
+  {
+    GLScene scene(samples);
+    OwnedLayer covered(200, 160, 4);
+    OwnedLayer empty(200, 160, 4);
+    vtkNew<LayerProp> prop;
+    covered.Set(9, 21, Orange, 0.5f, 15);
+    empty.Set(9, 21, Orange, 0.5f, 15);
+    for (const unsigned char mask : { 1, 2, 4, 8, 6, 7, 15 })
+    {
+      covered.Set(10 + mask, 20, Orange, 0.5f, mask);
+      prop->Lines.push_back(LineAt(10 + mask, 255, mask));
+    }
+    const std::vector<vtkLimnCompositor::LinePixel> lines = prop->Lines;
+    prop->Lines.clear();
+    prop->Layer = &covered;
+    scene.Renderer->AddViewProp(prop);
+    const Picture expected = scene.Render();
+    prop->Layer = &empty;
+    EXPECT_EQ(CountDifferent(expected, scene.Render()), 7);
+    prop->Lines = lines;
+    const Picture actual = scene.Render();
+    EXPECT_TRUE(prop->Drawn);
+    EXPECT_EQ(CountDifferent(expected, actual, samples == 0 ? 1 : 0), 0) << samples;
+  }
+}
+
+TEST(LayerComposite, WritesTheDepthOfLinesThatCoverHalfOfAPixel)
+{
+  for (const bool writesDepth : { true, false })
+  {
+    GLScene scene(0);
+    OwnedLayer layer(200, 160, 1);
+    vtkNew<LayerProp> prop;
+    prop->Layer = &layer;
+    prop->Lines = { LineAt(10, 127, 1), LineAt(11, 128, 1), LineAt(12, 255, 1), LineAt(13, 60, 1) };
+    prop->WritesDepth = writesDepth;
+    scene.Renderer->AddViewProp(prop);
+    const Picture picture = scene.Render();
+    const std::vector<float> depth = scene.ReadDepth();
+    for (int i = 0; i < 4; ++i)
+    {
+      const bool isDeep = writesDepth && (i == 1 || i == 2);
+      EXPECT_EQ(depth[20 * 200 + 10 + i], isDeep ? 0.5f : 1.0f) << i;
+      const double share = prop->Lines[i].Color[3] / 255.0;
+      EXPECT_NEAR(picture.At(10 + i, 20)[0], share * Orange[0] + (1 - share) * 0.1 * 255, 1.5) << i;
+    }
+  }
+}
+
+TEST(LayerComposite, RefusesLinesOfAnotherSize)
+{
+  GLScene scene(0);
+  OwnedLayer layer(200, 160, 1);
+  vtkNew<LayerProp> prop;
+  prop->Layer = &layer;
+  scene.Renderer->AddViewProp(prop);
+  scene.Render();
+  const vtkLimnCompositor::LinePixel pixel = LineAt(10, 255, 1);
+  EXPECT_FALSE(prop->Compositor->BlendLines(scene.Renderer, { 100, 160, 1, &pixel, 1, true }));
+  EXPECT_FALSE(prop->Compositor->BlendLines(scene.Renderer, { 200, 160, 3, &pixel, 1, true }));
+}
+
 // Only the touched rectangle counts, whatever else is in the planes or was in the last picture.
 class TouchedTest : public testing::TestWithParam<int>
 {

@@ -131,6 +131,14 @@ void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* 
   }
 }
 
+void blendWaitingLines(vtkRenderer* renderer)
+{
+  if (SurfacePass* const pass = findPassOf(renderer))
+  {
+    pass->blendWaitingLines();
+  }
+}
+
 void beginEffects(vtkLimnRenderer* renderer)
 {
   passOf(renderer).effects().begin(renderer);

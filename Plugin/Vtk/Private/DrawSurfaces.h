@@ -25,6 +25,10 @@ bool isDrawnAlready(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMappe
 
 void drawSurface(vtkRenderer* renderer, vtkActor* actor, vtkLimnPolyDataMapper* mapper);
 
+/// In windows of other backends: blends what lines lay over pixels that show no surface of ours, as
+/// soon as all is drawn that may lie behind them.
+void blendWaitingLines(vtkRenderer* renderer);
+
 /// For renderers of ours: what their post effects need before their surfaces are drawn, and the
 /// effects after that.
 void beginEffects(vtkLimnRenderer* renderer);

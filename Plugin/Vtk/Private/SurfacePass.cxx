@@ -61,12 +61,20 @@ public:
       pass = std::make_unique<SurfacePass>(renderer);
       pass->beginFrame();
       renderer->AddObserver(vtkCommand::StartEvent, this, &SurfacePasses::begin);
+      renderer->AddObserver(vtkCommand::EndEvent, this, &SurfacePasses::end);
       renderer->AddObserver(vtkCommand::DeleteEvent, this, &SurfacePasses::forget);
     }
     return *pass;
   }
+  SurfacePass* find(vtkRenderer* renderer)
+  {
+    const auto found = passes_.find(renderer);
+    return found == passes_.end() ? nullptr : found->second.get();
+  }
 
 private:
+  // Actors of other classes than ours do not say when the opaque ones are drawn.
+  void end(vtkObject* renderer, unsigned long, void*) { passes_.at(renderer)->blendWaitingLines(); }
   void begin(vtkObject* renderer, unsigned long, void*) { passes_.at(renderer)->beginFrame(); }
   void forget(vtkObject* renderer, unsigned long, void*) { passes_.erase(renderer); }
 
@@ -209,6 +217,11 @@ SurfacePass& passOf(vtkRenderer* renderer)
   return SurfacePasses::instance().of(renderer);
 }
 
+SurfacePass* findPassOf(vtkRenderer* renderer)
+{
+  return SurfacePasses::instance().find(renderer);
+}
+
 SurfacePass::SurfacePass(vtkRenderer* renderer) : renderer_(renderer) {}
 
 void SurfacePass::beginFrame()
@@ -218,6 +231,7 @@ void SurfacePass::beginFrame()
   isExpecting_ = false;
   expected_ = {};
   due_.clear();
+  waitingLines_.pixels.clear();
 }
 
 void SurfacePass::expect(CollectedSurfaces surfaces)
@@ -487,6 +501,7 @@ FrameView SurfacePass::layer(int width, int height)
   frame.depth = layerDepth_.data();
   frame.coverage = layerCoverage_.data();
   frame.background = Background::kKeepApart;
+  frame.linePixels = &linePixels_;
   frame.clear.extent = FrameClear::Extent::kTouched;
   return frame;
 }
@@ -507,8 +522,45 @@ Status SurfacePass::renderLayer(const Scene& scene, double prepareMilliseconds)
   if (status.ok() && layer.Touched[0] < layer.Touched[2] && layer.Touched[1] < layer.Touched[3])
   {
     compositor()->Composite(renderer_, layer);
+    this->keepLines(layer);
   }
   return status;
+}
+
+void SurfacePass::keepLines(const vtkLimnCompositor::Layer& layer)
+{
+  WaitingLines& waiting = waitingLines_;
+  if (waiting.width != layer.Width || waiting.height != layer.Height ||
+      waiting.samples != layer.Samples)
+  {
+    this->blendWaitingLines();
+    waiting.width = layer.Width;
+    waiting.height = layer.Height;
+    waiting.samples = layer.Samples;
+  }
+  waiting.pixels.reserve(waiting.pixels.size() + linePixels_.size());
+  for (const LinePixel& one : linePixels_)
+  {
+    waiting.pixels.push_back({ one.x, one.y, { one.color.r, one.color.g, one.color.b, one.color.a },
+      one.depth, one.samples });
+  }
+}
+
+void SurfacePass::blendWaitingLines()
+{
+  this->blendWaitingLines(true);
+}
+
+void SurfacePass::blendWaitingLines(bool writesDepth)
+{
+  WaitingLines& waiting = waitingLines_;
+  if (!waiting.pixels.empty())
+  {
+    compositor()->BlendLines(
+      renderer_, { waiting.width, waiting.height, waiting.samples, waiting.pixels.data(),
+                   waiting.pixels.size(), writesDepth });
+    waiting.pixels.clear();
+  }
 }
 
 Status SurfacePass::renderTranslucentLayer(const Scene& scene, double prepareMilliseconds)
@@ -519,6 +571,7 @@ Status SurfacePass::renderTranslucentLayer(const Scene& scene, double prepareMil
   {
     return {};
   }
+  this->blendWaitingLines();
   FrameView frame = this->layer(size[0], size[1]);
   if (!compositor()->ReadDepth(renderer_, size[0], size[1], frame.depth))
   {
@@ -536,6 +589,9 @@ Status SurfacePass::renderTranslucentLayer(const Scene& scene, double prepareMil
   if (status.ok() && layer.Touched[0] < layer.Touched[2] && layer.Touched[1] < layer.Touched[3])
   {
     compositor()->Blend(renderer_, layer);
+    // Translucent surfaces write no depth, and their lines do not either.
+    this->keepLines(layer);
+    this->blendWaitingLines(false);
   }
   return status;
 }

@@ -44,6 +44,9 @@ public:
   /// The surfaces that will come, if they are known before the first does.
   void expect(CollectedSurfaces surfaces);
   void draw(const Surface& surface);
+  /// Of windows of other backends: what lines lay over samples that show no surface has to wait
+  /// until all that is opaque is drawn, whoever draws it. Does nothing if nothing waits.
+  void blendWaitingLines();
   /// For renderers of Limn's own window.
   ViewportEffects& effects() { return effects_; }
 
@@ -67,6 +70,8 @@ private:
   vtkLimnRenderWindow* window() const;
   void warnOfTruncation(std::size_t pixels);
   FrameView layer(int width, int height);
+  void keepLines(const vtkLimnCompositor::Layer& layer);
+  void blendWaitingLines(bool writesDepth);
 
   struct View
   {
@@ -100,10 +105,20 @@ private:
   Array<Rgba8> layerColor_;
   Array<float> layerDepth_;
   Array<std::uint8_t> layerCoverage_;
+  std::vector<LinePixel> linePixels_;
+  /// Lines of layers of one size and number of samples.
+  struct WaitingLines
+  {
+    int width, height, samples;
+    std::vector<vtkLimnCompositor::LinePixel> pixels;
+  };
+  WaitingLines waitingLines_ = {};
 };
 
 /// The pass of a renderer; it goes with the renderer.
 SurfacePass& passOf(vtkRenderer* renderer);
+/// Likewise, or nullptr if the renderer has none.
+SurfacePass* findPassOf(vtkRenderer* renderer);
 
 } // namespace limn::bridge
 

@@ -199,8 +199,13 @@ void LayerPainter::Plane::Upload(const vtkLimnCompositor::Layer& layer, const vo
 
 LayerPainter::LayerPainter(vtkOpenGLRenderWindow* window)
   : Window(window), Color(window, 4, VTK_UNSIGNED_CHAR), Depth(window, 1, VTK_FLOAT),
-    Coverage(window, 1, VTK_UNSIGNED_CHAR)
+    Coverage(window, 1, VTK_UNSIGNED_CHAR), Lines(window)
 {
+}
+
+LayerPainter::~LayerPainter()
+{
+  this->ForgetLostContext();
 }
 
 bool LayerPainter::Paint(const vtkLimnCompositor::Layer& layer)
@@ -236,13 +241,29 @@ bool LayerPainter::Paint(const vtkLimnCompositor::Layer& layer, Way way)
   return true;
 }
 
-bool LayerPainter::Reserve(const vtkLimnCompositor::Layer& layer)
+void LayerPainter::BlendLines(const vtkLimnCompositor::LineLayer& lines)
+{
+  this->ForgetLostContext();
+  // Whoever draws without a layer needs a texture, too, that tells when its context is lost.
+  if (this->Color.Reserve(1, 1))
+  {
+    this->Lines.Blend(lines);
+  }
+}
+
+void LayerPainter::ForgetLostContext()
 {
   // A window that lost its context has released the textures; the programs went with its cache.
   if (!this->Color.IsAllocated())
   {
     this->Quads.clear();
+    this->Lines.Forget();
   }
+}
+
+bool LayerPainter::Reserve(const vtkLimnCompositor::Layer& layer)
+{
+  this->ForgetLostContext();
   return this->Color.Reserve(layer.Width, layer.Height) &&
          this->Depth.Reserve(layer.Width, layer.Height) &&
          this->Coverage.Reserve(layer.Width, layer.Height);

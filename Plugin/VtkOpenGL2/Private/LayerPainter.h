@@ -3,6 +3,7 @@
 #ifndef LayerPainter_h
 #define LayerPainter_h
 
+#include "LinePainter.h"
 #include "SampleMatch.h"
 
 #include "vtkLimnCompositor.h"
@@ -23,12 +24,15 @@ class LayerPainter
 {
 public:
   explicit LayerPainter(vtkOpenGLRenderWindow* window);
+  ~LayerPainter();
 
   /// Draws into the current viewport, only where `layer` is touched. Requires: the window's context
   /// is current, the layer is valid and as large as the viewport. False if a texture is refused.
   bool Paint(const vtkLimnCompositor::Layer& layer);
   /// Likewise over what is there, as vtkLimnCompositor::Blend().
   bool Blend(const vtkLimnCompositor::Layer& layer);
+  /// Likewise, as vtkLimnCompositor::BlendLines().
+  void BlendLines(const vtkLimnCompositor::LineLayer& lines);
 
 private:
   /// One plane of a layer, in a texture that only grows.
@@ -62,6 +66,7 @@ private:
   };
 
   bool Paint(const vtkLimnCompositor::Layer& layer, Way way);
+  void ForgetLostContext();
   bool Reserve(const vtkLimnCompositor::Layer& layer);
   void Upload(const vtkLimnCompositor::Layer& layer, Mix mix);
   vtkOpenGLQuadHelper& ReadyQuad(Mix mix, Way way);
@@ -74,6 +79,7 @@ private:
   Plane Depth;
   Plane Coverage;
   std::map<std::pair<Mix, Way>, std::unique_ptr<vtkOpenGLQuadHelper>> Quads;
+  LinePainter Lines;
 };
 
 #endif

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Binning/TileGrid.h"
+#include "Rendering/FrameView.h"
+#include "Rendering/Lines/HaloCut.h"
+#include "Rendering/Lines/StrokePieces.h"
+
+#include <vector>
+
+namespace limn {
+
+/// What the lines of one tile lay over samples that show nothing, for FrameView::linePixels.
+class OpenSamples {
+ public:
+  void begin(const TileRectangle& tile);
+  /// A share of the pixel (x, y) of the frame in the color `line`, of which 255 is full.
+  void add(int x, int y, Vec4f line, float share, float depth);
+  /// Appends the pixels that still have samples that show nothing.
+  void collect(const FrameView& frame, int samples, std::vector<LinePixel>& pixels) const;
+
+ private:
+  struct Pixel {
+    Vec4f color;  ///< multiplied by alpha; 255 is full
+    float depth;
+  };
+  TileRectangle tile_ = {0, 0, 0, 0};
+  Pixel pixels_[kTilePixels];
+};
+
+/// Lays one group over the pixels of a frame.
+class StrokeBlend {
+ public:
+  /// `cut` and `open` may be null; with `open`, what the samples that show nothing get goes there.
+  StrokeBlend(const StrokeGroup& group, const FrameView& frame, const HaloCut* cut,
+              OpenSamples* open, int samples);
+
+  void blend(int x, int y, float coverage, float depth) const;
+
+ private:
+  enum class Shown { kNothing, kMore, kFirst };
+
+  void mix(std::ptrdiff_t index, float a) const;
+  /// Whether the pixel shows something, and whether only now.
+  Shown blendSamples(std::ptrdiff_t index, float a) const;
+  Shown coverSamples(std::ptrdiff_t index, float a, std::uint32_t more) const;
+
+  const FrameView& frame_;
+  const HaloCut* cut_;
+  OpenSamples* open_;
+  std::uint32_t instance_;
+  float opacity_;
+  Vec3f radiance_;
+  Vec4f bytes_;
+  std::uint32_t samples_;
+  bool keepsApart_;
+};
+
+/// Whether what lines lay over samples that show nothing is to be kept.
+inline bool wantsLinePixels(const FrameView& frame)
+{
+  return frame.linePixels != nullptr && frame.coverage != nullptr &&
+         frame.background == Background::kKeepApart;
+}
+
+}  // namespace limn
