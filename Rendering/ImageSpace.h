@@ -7,7 +7,7 @@
 /// What is drawn from the finished picture's depth, normals and names, instance by instance. All
 /// of it changes the colours of the instance that asks for it and no others'. Translucent instances
 /// have no depth and no names in the picture, and so none of this; what lies behind them has, and
-/// its lines are drawn over them.
+/// shows through them with its lines (with Background::kKeepApart these are drawn over them).
 namespace limn {
 
 /// How an edge between two pixels next to each other is found.

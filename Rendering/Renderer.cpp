@@ -105,12 +105,13 @@ class TranslucentLayers {
   }
 
   /// Returns the number of truncated pixels. The tile lies at `place` in the frame.
-  std::size_t composite(const FrameView& frame, const TileRectangle& place)
+  std::size_t composite(const FrameView& frame, const TileRectangle& place, bool isVeiled)
   {
-    memory_.compositor.begin(clusters_, place, opaque_.fragments, opaque_.colors, frame);
+    memory_.compositor.begin(clusters_, place, opaque_.fragments, opaque_.colors, frame, isVeiled);
     return compositeRows({pixels_.y0, pixels_.y1});
   }
   void write() const { memory_.compositor.write(); }
+  void veil(std::vector<VeiledPixel>& veiled) const { memory_.compositor.veil(pixels_, veiled); }
 
  private:
   std::size_t compositeRows(TileRows rows)
@@ -157,11 +158,18 @@ void resolve(const TileClusters& clusters, const TileRectangle& pixels, const Fr
   resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
 }
 
+/// What passes over the finished picture need of it; either may be null.
+struct PassInputs {
+  const LayerTarget* surfaces;
+  Veil* veil;
+};
+
 /// Draws pixels of the viewport, which lie at `place` in the frame.
 TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
                        const TileRectangle& pixels, const FrameView& frame,
-                       const TileRectangle& place, const LayerTarget* surfaces)
+                       const TileRectangle& place, PassInputs passes)
 {
+  const LayerTarget* const surfaces = passes.surfaces;
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
   const std::size_t opaque = orderClusters(scene, bins, tile, memory.ordered);
@@ -189,9 +197,12 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
   }
   writeSurfaces(nullptr);
   TranslucentLayers layers(clusters, opaque, pixels, memory);
-  stats.truncatedPixels = layers.composite(frame, place);
+  stats.truncatedPixels = layers.composite(frame, place, passes.veil != nullptr);
   resolve(clusters, place, frame, memory);
-  layers.write();
+  if (passes.veil != nullptr)
+    layers.veil(passes.veil->tile(tile));
+  else
+    layers.write();
   return stats;
 }
 
@@ -203,8 +214,9 @@ bool areNear(const TileRectangle& pixels, const TileRectangle& touched)
 }
 
 TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
-                   const FrameView& frame, const LayerTarget* layers)
+                   const FrameView& frame, PassInputs passes)
 {
+  const LayerTarget* const layers = passes.surfaces;
   const TileRectangle pixels = bins.grid.rectangle(tile);
   const bool isEmpty = bins.clustersOf(tile).empty();
   if (layers != nullptr && (layers->isWhole || areNear(pixels, bins.touched)))
@@ -212,7 +224,7 @@ TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t t
   TileMemory& memory = tileMemory();
   memory.colors.pixel = memory.runColor;
   if (!isToBeCleared(frame.clear, pixels, bins.touched))
-    return isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, frame, pixels, layers);
+    return isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, frame, pixels, passes);
   // What need not be mixed is drawn where it stays.
   TileFrame& fresh = memory.fresh;
   const FrameView& cleared =
@@ -220,7 +232,7 @@ TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t t
   memory.colors.pixel = cleared.color;
   const TileStats stats =
       isEmpty ? TileStats{}
-              : drawClusters(scene, bins, tile, pixels, cleared, fresh.pixels(), layers);
+              : drawClusters(scene, bins, tile, pixels, cleared, fresh.pixels(), passes);
   fresh.write();
   return stats;
 }
@@ -287,9 +299,12 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
 
   const Stopwatch tileTime;
   const std::optional<LayerTarget> layers = layersFor(scene, frame);
+  std::optional<Veil> veil;
+  if (Veil::isNeeded(scene, frame)) veil.emplace(bins.grid.count());
+  const PassInputs passes = {layers ? &*layers : nullptr, veil ? &*veil : nullptr};
   std::atomic<std::size_t> occluded = 0, truncated = 0;
   parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
-    const TileStats drawn = drawTile(placed, bins, tile, frame, layers ? &*layers : nullptr);
+    const TileStats drawn = drawTile(placed, bins, tile, frame, passes);
     occluded.fetch_add(drawn.occludedClusters, std::memory_order_relaxed);
     truncated.fetch_add(drawn.truncatedPixels, std::memory_order_relaxed);
   });
@@ -300,7 +315,8 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     if (std::any_of(scene.instances.begin(), scene.instances.end(), hasImageOutline))
       drawImageOutlines({scene, frame, layers->layers, touched, options.threads});
   }
-  if (drawsStrokes) drawStrokes(scene, frame, layers ? &layers->layers : nullptr, options.threads);
+  if (drawsStrokes || veil)
+    drawStrokes(scene, frame, layers ? &layers->layers : nullptr, passes.veil, options.threads);
   stats.occludedClusters = occluded;
   stats.truncatedPixels = truncated;
   stats.tileMilliseconds = tileTime.milliseconds();

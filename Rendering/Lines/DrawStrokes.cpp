@@ -107,16 +107,21 @@ class TilePainter {
     open_->begin(tile);
   }
 
-  /// What goes to FrameView::linePixels is appended to `linePixels`.
-  void paint(Span<const std::uint32_t> pieces, std::vector<LinePixel>& linePixels)
+  /// Paints the groups for which isWanted(group) holds.
+  template <class Wanted>
+  void paint(Span<const std::uint32_t> pieces, const Wanted& isWanted)
   {
     std::size_t next = 0;
     for (const StrokeGroup& group : plan_.groups) {
       const std::size_t first = next;
       while (next < pieces.size() && pieces[next] < group.endPiece)
         ++next;
-      if (next > first) paintGroup(group, {pieces.data() + first, next - first});
+      if (next > first && isWanted(group)) paintGroup(group, {pieces.data() + first, next - first});
     }
+  }
+  /// Appends what goes to FrameView::linePixels.
+  void collect(std::vector<LinePixel>& linePixels) const
+  {
     if (open_ != nullptr) open_->collect(frame_, samples_, linePixels);
   }
 
@@ -219,10 +224,10 @@ TileRectangle boundStrokes(const Scene& scene, int width, int height, int thread
 }
 
 void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
-                 int threads)
+                 const Veil* veil, int threads)
 {
   const StrokePlan plan = findStrokePieces(scene, frame, threads);
-  if (plan.pieces.empty()) return;
+  if (plan.pieces.empty() && veil == nullptr) return;
   const TileGrid grid = {frame.width, frame.height};
   StrokeBins bins(plan, grid, threads);
   std::optional<HaloCut> cut;
@@ -230,9 +235,20 @@ void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers
   std::vector<std::vector<LinePixel>> linePixels(grid.count());
   parallelFor(threads, grid.count(), [&](std::size_t tile) {
     const Span<const std::uint32_t> pieces = bins.sorted(tile);
-    if (pieces.empty()) return;
-    TilePainter(plan, frame, cut ? &*cut : nullptr, scene.samples, grid.rectangle(tile))
-        .paint(pieces, linePixels[tile]);
+    if (pieces.empty()) {
+      if (veil != nullptr) veil->lay(tile, frame);
+      return;
+    }
+    TilePainter painter(plan, frame, cut ? &*cut : nullptr, scene.samples, grid.rectangle(tile));
+    const auto isAbove = [&](const StrokeGroup& group) {
+      return veil != nullptr && scene.instances[group.instance].isTranslucent();
+    };
+    painter.paint(pieces, [&](const StrokeGroup& group) { return !isAbove(group); });
+    if (veil != nullptr) {
+      veil->lay(tile, frame);
+      painter.paint(pieces, isAbove);
+    }
+    painter.collect(linePixels[tile]);
   });
   if (!wantsLinePixels(frame)) return;
   for (const std::vector<LinePixel>& ofTile : linePixels)

@@ -5,6 +5,7 @@
 #include "Rendering/Binning/TileGrid.h"
 #include "Rendering/FrameView.h"
 #include "Rendering/Lines/SurfaceLayers.h"
+#include "Rendering/Lines/Veil.h"
 #include "Rendering/Scene.h"
 
 namespace limn {
@@ -23,8 +24,9 @@ TileRectangle boundStrokes(const Scene& scene, int width, int height, int thread
 /// where a is 1, and none elsewhere, where a line makes the premultiplied color P of the samples,
 /// alpha too, into P + (line - P) a, in float until all lines are drawn. Depths become those of the
 /// nearest line where a >= 1/2, or the pixel was not covered before, and it is nearer. `layers` are
-/// the frame's, or null; their halos take from the coverage.
+/// the frame's, or null; their halos take from the coverage. `veil`, or null, is laid over the
+/// lines of opaque instances, and lines of translucent ones over that.
 void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
-                 int threads);
+                 const Veil* veil, int threads);
 
 }  // namespace limn

@@ -45,7 +45,7 @@ float full(float x)
 
 void TileCompositor::begin(const TileClusters& clusters, const TileRectangle& pixels,
                            const FragmentList& fragments, const TileColors& colors,
-                           const FrameView& frame)
+                           const FrameView& frame, bool isVeiled)
 {
   clusters_ = &clusters;
   tile_ = pixels;
@@ -54,6 +54,7 @@ void TileCompositor::begin(const TileClusters& clusters, const TileRectangle& pi
   frame_ = &frame;
   samples_ = static_cast<std::uint32_t>(clusters.scene->scene->samples);
   hasRadiance_ = colors.hasRadiance;
+  isVeiled_ = isVeiled;
   pixels_.clear();
   std::fill(std::begin(firstFragment_), std::end(firstFragment_), kNone);
   for (std::size_t r = 0; r < fragments.runCount; ++r)
@@ -128,6 +129,20 @@ void TileCompositor::cover(const TranslucentFragments& fragments, const std::uin
   sample = {below, radiance, true};
 }
 
+/// `layers` are those of all samples.
+float TileCompositor::restOf(const TranslucentFragments& fragments,
+                             const std::uint32_t* layers) const
+{
+  float sum = 0;
+  for (std::uint32_t s = 0; s < samples_; ++s) {
+    float rest = 1;
+    for (std::uint32_t count = *layers++; count > 0; --count)
+      rest = rest * (1.0f - fragments.colors()[*layers++].w);
+    sum += rest;
+  }
+  return sum / static_cast<float>(samples_);
+}
+
 /// What the pixel's only sample has without translucent surfaces.
 Rgba8 TileCompositor::opaqueColor(std::uint32_t pixel, std::ptrdiff_t index) const
 {
@@ -153,7 +168,8 @@ void TileCompositor::addSinglePixel(const TranslucentFragments& fragments,
   pixels_.push_back({touched.pixel,
                      {toByte(color.x), toByte(color.y), toByte(color.z), toByte(color.w)},
                      {0, 0, 0},
-                     1});
+                     1,
+                     isVeiled_ ? restOf(fragments, layers) : 0.0f});
 }
 
 void TileCompositor::addPixel(const TranslucentFragments& fragments,
@@ -165,8 +181,10 @@ void TileCompositor::addPixel(const TranslucentFragments& fragments,
   if (isUniform && haveSameLayers(layers)) {
     cover(fragments, layers + 1, layers[0], sample_[0]);
     pixels_.push_back(meanOfEqual(touched.pixel));
+    if (isVeiled_) pixels_.back().rest = restOf(fragments, layers);
     return;
   }
+  const float rest = isVeiled_ ? restOf(fragments, layers) : 0.0f;
   for (std::uint32_t s = 0; s < samples_; ++s) {
     const std::uint32_t count = *layers++;
     if (count == 0) continue;
@@ -175,6 +193,7 @@ void TileCompositor::addPixel(const TranslucentFragments& fragments,
     layers += count;
   }
   pixels_.push_back(meanOf(touched.pixel));
+  pixels_.back().rest = rest;
 }
 
 TileCompositor::Pixel TileCompositor::meanOf(std::uint32_t pixel) const
@@ -193,7 +212,8 @@ TileCompositor::Pixel TileCompositor::meanOf(std::uint32_t pixel) const
   return {pixel,
           sum.mean(),
           {radiance.x / count, radiance.y / count, radiance.z / count},
-          static_cast<std::uint16_t>(coverage_)};
+          static_cast<std::uint16_t>(coverage_),
+          0};
 }
 
 /// meanOf() where all samples are as the first.
@@ -208,7 +228,8 @@ TileCompositor::Pixel TileCompositor::meanOfEqual(std::uint32_t pixel) const
   return {pixel,
           {toByte(c.x), toByte(c.y), toByte(c.z), toByte(c.w)},
           {radiance.x / count, radiance.y / count, radiance.z / count},
-          static_cast<std::uint16_t>((1u << samples_) - 1u)};
+          static_cast<std::uint16_t>((1u << samples_) - 1u),
+          0};
 }
 
 void TileCompositor::add(const TranslucentFragments& fragments)
@@ -233,6 +254,28 @@ void TileCompositor::write() const
     frame_->radiance.r[index] = pixel.radiance.x;
     frame_->radiance.g[index] = pixel.radiance.y;
     frame_->radiance.b[index] = pixel.radiance.z;
+  }
+}
+
+void TileCompositor::veil(const TileRectangle& pixels, std::vector<VeiledPixel>& veiled) const
+{
+  const TilePlace place(tile_, *frame_);
+  for (const Pixel& pixel : pixels_) {
+    const std::ptrdiff_t index = place.indexOf(pixel.pixel);
+    VeiledPixel one = {};
+    one.x = static_cast<std::uint16_t>(pixels.x0 + static_cast<int>(pixel.pixel % kTileSide));
+    one.y = static_cast<std::uint16_t>(pixels.y0 + static_cast<int>(pixel.pixel / kTileSide));
+    one.below = frame_->color[index];
+    one.seen = pixel.color;
+    one.rest = pixel.rest;
+    if (frame_->coverage != nullptr)
+      frame_->coverage[index] = static_cast<std::uint8_t>(pixel.coverage);
+    if (hasRadiance_) {
+      const RadianceView& below = frame_->radiance;
+      one.belowRadiance = {below.r[index], below.g[index], below.b[index]};
+      one.seenRadiance = pixel.radiance;
+    }
+    veiled.push_back(one);
   }
 }
 

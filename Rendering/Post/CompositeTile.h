@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Rendering/Shading/Fragments.h"
+#include "Rendering/Lines/Veil.h"
 #include "Rendering/Shading/TranslucentFragments.h"
 
 #include <cstdint>
@@ -14,13 +15,17 @@ namespace limn {
 /// frame's old picture are still at hand, and writes the pixels when these are resolved.
 class TileCompositor {
  public:
-  /// Borrows all of them until write().
+  /// Borrows all of them until write() or veil(), of which `isVeiled` tells.
   void begin(const TileClusters& clusters, const TileRectangle& pixels,
-             const FragmentList& fragments, const TileColors& colors, const FrameView& frame);
+             const FragmentList& fragments, const TileColors& colors, const FrameView& frame,
+             bool isVeiled);
   /// Each pixel once. Requires: begin(), and fragments that are shaded.
   void add(const TranslucentFragments& fragments);
   /// Requires: resolveTile().
   void write() const;
+  /// Leaves the picture without translucent surfaces and lists what write() would write. `pixels`
+  /// are the tile in the frame that is veiled. Requires: resolveTile().
+  void veil(const TileRectangle& pixels, std::vector<VeiledPixel>& veiled) const;
 
  private:
   /// A sample before it becomes bytes.
@@ -34,6 +39,7 @@ class TileCompositor {
     Rgba8 color;
     Vec3f radiance;
     std::uint16_t coverage;
+    float rest;  ///< of what is below, mean over the samples; only if veiled
   };
   /// Returns whether all samples are the same.
   bool findOpaque(std::uint32_t pixel, std::ptrdiff_t index);
@@ -43,6 +49,7 @@ class TileCompositor {
   void addSinglePixel(const TranslucentFragments& fragments, TranslucentFragments::Pixel touched);
   void addPixel(const TranslucentFragments& fragments, TranslucentFragments::Pixel touched);
   bool haveSameLayers(const std::uint32_t* layers) const;
+  float restOf(const TranslucentFragments& fragments, const std::uint32_t* layers) const;
   void cover(const TranslucentFragments& fragments, const std::uint32_t* layers,
              std::uint32_t count, Sample& sample) const;
   Pixel meanOf(std::uint32_t pixel) const;
@@ -55,6 +62,7 @@ class TileCompositor {
   const FrameView* frame_;
   std::uint32_t samples_;
   bool hasRadiance_;
+  bool isVeiled_;
   std::uint32_t firstFragment_[kTilePixels];  ///< opaque, by pixel; or one of two marks
   Sample sample_[kMaxSamples];
   std::uint32_t coverage_;

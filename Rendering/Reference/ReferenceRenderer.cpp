@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -116,6 +117,15 @@ struct SeenTriangle {
   Owner owner;
   Vec3f radiance;
   std::size_t samples;
+};
+
+/// A pixel of which the opaque surfaces' picture is drawn first, and what translucent ones make of
+/// it is kept.
+struct Veiled {
+  std::ptrdiff_t index;
+  Rgba8 below, seen;
+  Vec3f belowRadiance, seenRadiance;
+  float rest;  ///< the share of what lies below, mean over the samples
 };
 
 /// An instance with its transform, and its triangles on the screen.
@@ -342,11 +352,38 @@ class Picture {
     return result;
   }
 
-  void shadeAll()
+  /// With `isVeiled` translucent surfaces are left to layVeil().
+  void shadeAll(bool isVeiled)
   {
+    isVeiled_ = isVeiled;
     for (int y = 0; y < frame_.height; ++y)
       for (int x = 0; x < frame_.width; ++x)
         resolve(x, y);
+  }
+
+  /// Lays the translucent surfaces over what is below them by now: what is seen changes by the
+  /// share of what is below times its change.
+  void layVeil() const
+  {
+    for (const Veiled& veiled : veiled_) {
+      const auto share = [&](std::uint8_t seen, std::uint8_t below, std::uint8_t now) {
+        const float change = static_cast<float>(now) - static_cast<float>(below);
+        const float sum = static_cast<float>(seen) + veiled.rest * change;
+        return static_cast<std::uint8_t>(std::nearbyint(std::clamp(sum, 0.0f, 255.0f)));
+      };
+      Rgba8& pixel = frame_.color[veiled.index];
+      pixel = {share(veiled.seen.r, veiled.below.r, pixel.r),
+               share(veiled.seen.g, veiled.below.g, pixel.g),
+               share(veiled.seen.b, veiled.below.b, pixel.b),
+               share(veiled.seen.a, veiled.below.a, pixel.a)};
+      const Vec3f now = radianceAt(veiled.index);
+      const auto changed = [&](float seen, float below, float present) {
+        return radiance(seen + veiled.rest * (present - below));
+      };
+      setRadiance(veiled.index, {changed(veiled.seenRadiance.x, veiled.belowRadiance.x, now.x),
+                                 changed(veiled.seenRadiance.y, veiled.belowRadiance.y, now.y),
+                                 changed(veiled.seenRadiance.z, veiled.belowRadiance.z, now.z)});
+    }
   }
 
  private:
@@ -460,6 +497,50 @@ class Picture {
     const PlacedInstance& placed = placed_[owner.instance];
     return normalAt(scene_, placed.instance(), placed.transform(), placed.origin(),
                     shadedPoint(x, y, owner));
+  }
+
+  Vec3f radianceAt(std::ptrdiff_t index) const
+  {
+    const RadianceView& planes = frame_.radiance;
+    if (planes.empty()) return {0, 0, 0};
+    return {planes.r[index], planes.g[index], planes.b[index]};
+  }
+  void setRadiance(std::ptrdiff_t index, Vec3f value) const
+  {
+    const RadianceView& planes = frame_.radiance;
+    if (planes.empty()) return;
+    planes.r[index] = value.x;
+    planes.g[index] = value.y;
+    planes.b[index] = value.z;
+  }
+
+  /// Draws the opaque surfaces of a pixel with translucent ones.
+  void resolveVeiled(int x, int y, bool hasOpaque)
+  {
+    const std::ptrdiff_t index = frameIndex(x, y);
+    Veiled veiled = {};
+    veiled.index = index;
+    const Rgba8 old = frame_.color[index];
+    const Vec3f oldRadiance = radianceAt(index);
+    resolveLayers(x, y);
+    veiled.seen = frame_.color[index];
+    veiled.seenRadiance = radianceAt(index);
+    const std::uint8_t coverage = frame_.coverage != nullptr ? frame_.coverage[index] : 0;
+    frame_.color[index] = old;
+    setRadiance(index, oldRadiance);
+    if (hasOpaque) resolveOpaque(x, y);
+    if (frame_.coverage != nullptr) frame_.coverage[index] = coverage;
+    veiled.below = frame_.color[index];
+    veiled.belowRadiance = radianceAt(index);
+    const std::map<Owner, Vec4f> shaded = shadeLayers(x, y);
+    for (std::size_t s = 0; s < offsets_.size(); ++s) {
+      float rest = 1;
+      for (const Sample& layer : layers(x, y, s))
+        rest = rest * (1.0f - shaded.at(layer.owner).w);
+      veiled.rest += rest;
+    }
+    veiled.rest /= static_cast<float>(offsets_.size());
+    veiled_.push_back(veiled);
   }
 
   Vec3f shadeOwner(int x, int y, Owner owner)
@@ -646,7 +727,9 @@ class Picture {
   void resolve(int x, int y)
   {
     const Sample* const nearest = nearestSample(x, y);
-    if (hasLayers(x, y))
+    if (hasLayers(x, y) && isVeiled_)
+      resolveVeiled(x, y, nearest != nullptr);
+    else if (hasLayers(x, y))
       resolveLayers(x, y);
     else if (nearest != nullptr)
       resolveOpaque(x, y);
@@ -731,7 +814,22 @@ class Picture {
   std::vector<PlacedInstance> placed_;
   std::vector<Sample> samples_;
   std::vector<std::vector<Sample>> layers_;  ///< empty if nothing is translucent
+  bool isVeiled_ = false;
+  std::vector<Veiled> veiled_;
 };
+
+/// Whether lines or cues change what translucent surfaces lie before.
+bool isVeiled(const Scene& scene, const FrameView& frame)
+{
+  bool isBelow = false, isAbove = false;
+  for (const Instance& instance : scene.instances)
+    if (instance.isTranslucent())
+      isAbove = true;
+    else if (!instance.lines.empty() || hasCues(instance) ||
+             instance.style.imageOutline.detector != OutlineDetector::kNone)
+      isBelow = true;
+  return isBelow && isAbove && frame.background == Background::kBlend;
+}
 
 }  // namespace
 
@@ -740,7 +838,8 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   Picture picture(scene, frame);
   picture.findVisible();
   const std::size_t truncated = picture.findTranslucent();
-  picture.shadeAll();
+  const bool hasVeil = isVeiled(scene, frame);
+  picture.shadeAll(hasVeil);
   const auto& all = scene.instances;
   const bool areCued = std::any_of(all.begin(), all.end(), hasCues);
   const bool areOutlined = std::any_of(all.begin(), all.end(), [](const Instance& instance) {
@@ -750,7 +849,7 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   if (areCued || areOutlined) layers = picture.layersOfAll();
   if (areCued) drawCues(scene, frame, layers);
   if (areOutlined) drawOutlines(scene, frame, layers);
-  drawStrokes(scene, frame, layers);
+  drawStrokes(scene, frame, layers, hasVeil ? [&] { picture.layVeil(); } : std::function<void()>());
   return truncated;
 }
 

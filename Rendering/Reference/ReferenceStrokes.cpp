@@ -93,17 +93,15 @@ class Lines {
     if (isSplit()) open_.resize(pixels, Open{{0, 0, 0, 0}, 1});
   }
 
-  void draw()
+  void draw(const std::function<void()>& layVeil)
   {
     for (const Instance& instance : scene_.instances)
-      for (std::size_t i = 0; i < instance.lines.size(); ++i) {
-        const LineSet& set = instance.lines[i];
-        // Sets of equal style are one drawing.
-        if (i == 0 || !(instance.lines[i - 1].style == set.style)) begin();
-        cover(instance, set);
-        if (i + 1 == instance.lines.size() || !(instance.lines[i + 1].style == set.style))
-          blend(set.style, instance);
-      }
+      if (!layVeil || !instance.isTranslucent()) draw(instance);
+    if (layVeil) {
+      layVeil();
+      for (const Instance& instance : scene_.instances)
+        if (instance.isTranslucent()) draw(instance);
+    }
     if (isSplit()) listOpen();
   }
 
@@ -119,6 +117,18 @@ class Lines {
   {
     return frame_.background == Background::kKeepApart && frame_.coverage != nullptr &&
            frame_.linePixels != nullptr;
+  }
+
+  void draw(const Instance& instance)
+  {
+    for (std::size_t i = 0; i < instance.lines.size(); ++i) {
+      const LineSet& set = instance.lines[i];
+      // Sets of equal style are one drawing.
+      if (i == 0 || !(instance.lines[i - 1].style == set.style)) begin();
+      cover(instance, set);
+      if (i + 1 == instance.lines.size() || !(instance.lines[i + 1].style == set.style))
+        blend(set.style, instance);
+    }
   }
 
   std::size_t pixel(int x, int y) const
@@ -656,11 +666,15 @@ class Lines {
 
 }  // namespace
 
-void drawStrokes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
+void drawStrokes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
+                 const std::function<void()>& layVeil)
 {
   const bool isAny = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const Instance& one) { return !one.lines.empty(); });
-  if (isAny) Lines(scene, frame, layers).draw();
+  if (isAny)
+    Lines(scene, frame, layers).draw(layVeil);
+  else if (layVeil)
+    layVeil();
 }
 
 }  // namespace limn::reference

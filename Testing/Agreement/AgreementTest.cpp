@@ -342,6 +342,35 @@ TEST_P(EveryTarget, DrawsSharesOfLinesLikeTheReference)
   EXPECT_GT(changedPixels, 20000u / stride()) << "shares must show";
 }
 
+TEST_P(EveryTarget, DrawsLinesBelowTranslucentSurfacesLikeTheReference)
+{
+  constexpr int kThreads[] = {1, 2, 3, 8};
+  std::size_t changedPixels = 0;
+  for (std::uint32_t seed = 0; seed < 200; seed += stride()) {
+    const RandomScene random(seed, RandomScene::Detail::kVeils);
+    Picture expected = random.canvas(), actual = random.canvas(), bare = random.canvas();
+    if (seed % 4 == 1)
+      for (Picture* const picture : {&expected, &actual, &bare})
+        picture->addRadiance();
+    const auto draw = [&](const Scene& scene, Picture& picture, RenderOptions options) {
+      const Status status = render(scene, picture.frame(random.background()), options);
+      ASSERT_TRUE(status.ok()) << status.message;
+    };
+    draw(random.scene(), expected, {Backend::kReference, 1});
+    draw(random.scene(), actual, {Backend::kPipeline, kThreads[seed % 4]});
+    ASSERT_EQ(actual.differingPixels(expected), 0u) << "seed " << seed;
+
+    Scene scene = random.scene();
+    std::vector<Instance> instances(scene.instances.begin(), scene.instances.end());
+    for (Instance& instance : instances)
+      if (!instance.isTranslucent()) instance.lines = {};
+    scene.instances = instances;
+    draw(scene, bare, {Backend::kPipeline, 1});
+    changedPixels += actual.differingPixels(bare);
+  }
+  EXPECT_GT(changedPixels, 20000u / stride()) << "lines must show";
+}
+
 std::size_t pixelOf(const Picture& picture, const LinePixel& one)
 {
   return static_cast<std::size_t>(one.y) * static_cast<std::size_t>(picture.width) + one.x;

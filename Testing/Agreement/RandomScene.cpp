@@ -280,12 +280,14 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
       (detail == Detail::kCues && seed % 4 == 1))
     addLines(Random(seed ^ 0x11E5u));
   if (detail == Detail::kLineShares) addShares();
+  if (detail == Detail::kVeils && seed % 4 != 0) addLines(Random(seed ^ 0x7E1Bu));
   const bool isShaded = detail == Detail::kShaders;
   const bool isHatched = detail == Detail::kHatching;
   const bool isExaggerated = isExaggeration(detail);
   const bool isToned = detail == Detail::kTones || isHatched || isExaggerated;
+  const bool isVeiled = detail == Detail::kVeils;
   const bool isTranslucent = detail == Detail::kTranslucent || detail == Detail::kFineTranslucent ||
-                             (isToned && seed % 5 == 2);
+                             isVeiled || (isToned && seed % 5 == 2);
   if (detail == Detail::kReflections || isShaded || isToned) addReflections();
   if (detail == Detail::kTextures || isShaded || (isTranslucent && seed % 5 == 0) ||
       (isToned && seed % 3 == 0))
@@ -299,10 +301,10 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
     addTones();
   if (detail == Detail::kDataTones) addDataTones();
   if (detail == Detail::kHulls) addHulls();
-  if (hasImageLines(detail)) addImageLines();
+  if (hasImageLines(detail) || (isVeiled && seed % 3 == 1)) addImageLines();
   if (detail == Detail::kCreases) addCreaseDetectors();
   if (detail == Detail::kIdBorders) addIds();
-  if (detail == Detail::kCues) addCues();
+  if (detail == Detail::kCues || (isVeiled && seed % 3 == 0)) addCues();
   scene_.ambientLight = random.color();
   scene_.lights = lights_;
   scene_.instances = instances_;
@@ -310,6 +312,7 @@ RandomScene::RandomScene(std::uint32_t seed, Detail detail) : seed_(seed)
   if (isTranslucent) scene_.samples = 1 << Random(seed ^ 0x5EEDu).below(5);
   scene_.resolve = random.chance(4) ? Resolve::kLinear : Resolve::kGamma22;
   background_ = random.chance(2) ? Background::kBlend : Background::kKeepApart;
+  if (isVeiled && seed % 6 != 0) background_ = Background::kBlend;
   if (detail == Detail::kPost) addEffects(Random(seed ^ 0xB100Du));
   if (isShaded || ((isTranslucent || isToned) && seed % 7 == 0))
     addShaders(Random(seed ^ 0x54ADEu));
@@ -345,7 +348,8 @@ void RandomScene::addMesh(Random& random, Detail detail)
                 detail == Detail::kTranslucent || detail == Detail::kTones ||
                 detail == Detail::kDataTones || detail == Detail::kLines ||
                 detail == Detail::kLineShares || detail == Detail::kHatching ||
-                isExaggeration(detail) || hasImageLines(detail) || detail == Detail::kCues) &&
+                isExaggeration(detail) || hasImageLines(detail) || detail == Detail::kCues ||
+                detail == Detail::kVeils) &&
                seed_ % 2 == 0)
           ? makeSheet(random, *mesh)
           : makeShape(random, shape, *mesh);

@@ -103,6 +103,7 @@ class RandomScene {
     kHulls,        ///< closed surfaces, coarse or as kFine, with inverted hulls
     kLines,        ///< as kAny, kFine or kCoarse, with lines of all kinds
     kLineShares,   ///< as kLines, most of them wider and thinner from point to point
+    kVeils,        ///< as kTranslucent, with lines, outlines from the picture and some depth cues
     kHatching,     ///< as kTones, with hatching alone
     kImageLines,   ///< as kAny, kFine or kCoarse, most with lines from the picture
     kCreases,      ///< likewise, by every way to find creases

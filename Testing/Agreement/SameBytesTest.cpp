@@ -27,11 +27,12 @@ constexpr std::uint64_t kHashOfTranslucency = 16651314980494972301u;
 constexpr std::uint64_t kHashOfPostEffects = 17085701275895408605u;
 constexpr std::uint64_t kHashOfLines = 422314681313311824u;
 constexpr std::uint64_t kHashOfLineShares = 15202610708990862064u;
+constexpr std::uint64_t kHashOfVeils = 8953194062046903709u;
 constexpr std::uint64_t kHashOfLinePixels = 4552848501986417983u;
-constexpr std::uint64_t kHashOfImageLines = 223056381221696186u;
-constexpr std::uint64_t kHashOfCreases = 17731590542988643216u;
-constexpr std::uint64_t kHashOfIdBorders = 10322215869986217783u;
-constexpr std::uint64_t kHashOfCues = 12607465401554022778u;
+constexpr std::uint64_t kHashOfImageLines = 2940433380934259101u;
+constexpr std::uint64_t kHashOfCreases = 5401760594538469902u;
+constexpr std::uint64_t kHashOfIdBorders = 12178513956207183728u;
+constexpr std::uint64_t kHashOfCues = 6932579513421249220u;
 constexpr std::uint64_t kHashOfShaders = 227987643536633135u;
 constexpr std::uint64_t kHashOfTones = 14800548386128781990u;
 constexpr std::uint64_t kHashOfDataTones = 5431401692603874508u;
@@ -264,6 +265,13 @@ TEST_P(SameBytes, LineSharesHaveTheKnownHash)
   const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kLineShares);
   std::cout << "kHashOfLineShares " << hash << '\n';
   EXPECT_EQ(hash, kHashOfLineShares);
+}
+
+TEST_P(SameBytes, VeiledLinesHaveTheKnownHash)
+{
+  const std::uint64_t hash = hashOfScenes(RandomScene::Detail::kVeils);
+  std::cout << "kHashOfVeils " << hash << '\n';
+  EXPECT_EQ(hash, kHashOfVeils);
 }
 
 TEST_P(SameBytes, LinePixelsHaveTheKnownHash)

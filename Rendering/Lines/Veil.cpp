@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Lines/Veil.h"
+
+#include "Rendering/Lines/PaintLayer.h"
+#include "Rendering/Lines/SurfaceLayers.h"
+
+#include <algorithm>
+
+namespace limn {
+
+bool Veil::isNeeded(const Scene& scene, const FrameView& frame)
+{
+  if (frame.background == Background::kKeepApart) return false;
+  const auto isAny = [&](auto&& holds) {
+    return std::any_of(scene.instances.begin(), scene.instances.end(), holds);
+  };
+  return isAny([](const Instance& one) { return one.isTranslucent(); }) &&
+         isAny([](const Instance& one) {
+           return !one.isTranslucent() &&
+                  (!one.lines.empty() || hasImageOutline(one) || hasCues(one));
+         });
+}
+
+void Veil::lay(std::size_t tile, const FrameView& frame) const
+{
+  const RadianceView& radiance = frame.radiance;
+  for (const VeiledPixel& veiled : tiles_[tile]) {
+    const std::ptrdiff_t index = veiled.y * frame.rowStride + veiled.x;
+    const auto mixed = [&](std::uint8_t seen, std::uint8_t below, std::uint8_t now) {
+      return toByte(static_cast<float>(seen) +
+                    veiled.rest * (static_cast<float>(now) - static_cast<float>(below)));
+    };
+    const Rgba8 now = frame.color[index];
+    frame.color[index] = {
+        mixed(veiled.seen.r, veiled.below.r, now.r), mixed(veiled.seen.g, veiled.below.g, now.g),
+        mixed(veiled.seen.b, veiled.below.b, now.b), mixed(veiled.seen.a, veiled.below.a, now.a)};
+    if (radiance.empty()) continue;
+    const auto lay = [&](float& value, float seen, float below) {
+      value = boundedRadiance(seen + veiled.rest * (value - below));
+    };
+    lay(radiance.r[index], veiled.seenRadiance.x, veiled.belowRadiance.x);
+    lay(radiance.g[index], veiled.seenRadiance.y, veiled.belowRadiance.y);
+    lay(radiance.b[index], veiled.seenRadiance.z, veiled.belowRadiance.z);
+  }
+}
+
+}  // namespace limn

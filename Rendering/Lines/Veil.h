@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/FrameView.h"
+#include "Rendering/Scene.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace limn {
+
+/// A pixel with translucent surfaces, which lie over lines too: those of opaque surfaces are drawn
+/// on the picture without them.
+struct VeiledPixel {
+  std::uint16_t x, y;
+  Rgba8 below, seen;                  ///< without and with translucent surfaces
+  float rest;                         ///< the share of `below` in `seen`, mean over the samples
+  Vec3f belowRadiance, seenRadiance;  ///< only where the frame has radiance
+};
+
+/// The translucent surfaces over a frame, tile by tile.
+class Veil {
+ public:
+  /// Whether lines or cues change what translucent surfaces lie before. With
+  /// Background::kKeepApart never: nobody knows what lies below.
+  static bool isNeeded(const Scene& scene, const FrameView& frame);
+
+  explicit Veil(std::size_t tiles) : tiles_(tiles) {}
+  std::vector<VeiledPixel>& tile(std::size_t number) { return tiles_[number]; }
+  /// Where the frame's pixel became N from `below`, it becomes seen + rest (N - below).
+  void lay(std::size_t tile, const FrameView& frame) const;
+
+ private:
+  std::vector<std::vector<VeiledPixel>> tiles_;
+};
+
+}  // namespace limn

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Testing/Unit/TestScene.h"
+
+#include <utility>
+
+namespace limn {
+namespace {
+
+using testing::at;
+using testing::OwnedMesh;
+using testing::Picture;
+using testing::Stage;
+
+constexpr int kSide = 32;
+constexpr Vec3f kWhite = {1, 1, 1}, kBlack = {0, 0, 0}, kRed = {1, 0, 0};
+
+/// A plate that fills pixels [x0, x1) of all rows.
+OwnedMesh plate(double x0, double x1, double z)
+{
+  return testing::sheet({x0, 0, z}, {x1 - x0, 0, 0}, {0, kSide, 0});
+}
+
+Instance pane(const OwnedMesh& mesh, float opacity)
+{
+  Instance instance = testing::painted(mesh, kRed);
+  instance.material.opacity = opacity;
+  return instance;
+}
+
+/// A line through all columns that fills the rows 14 to 17.
+struct Line {
+  std::vector<Vec3f> points;
+  std::vector<std::uint32_t> vertex = {0, 1}, first = {0, 2};
+  std::vector<LineSet> sets;
+
+  Line(float z, Vec3f color, float opacity = 1)
+      : points({{-1, kSide / 2.0f, z}, {kSide + 1, kSide / 2.0f, z}})
+  {
+    LineStyle style;
+    style.color = color;
+    style.width = 4;
+    style.opacity = opacity;
+    style.cap = LineCap::kButt;
+    sets.push_back({{points, {}, {}}, vertex, first, {}, {}, style, {}});
+  }
+};
+constexpr int kInLine = 15, kBesideLine = 5;
+
+void expectColor(const Picture& picture, int x, int y, double r, double g, double b)
+{
+  const Rgba8 color = at(picture, x, y);
+  EXPECT_NEAR(color.r, r * 255, 0.51) << "at " << x << ", " << y;
+  EXPECT_NEAR(color.g, g * 255, 0.51) << "at " << x << ", " << y;
+  EXPECT_NEAR(color.b, b * 255, 0.51) << "at " << x << ", " << y;
+}
+
+class Veils : public testing::BothBackends {
+ protected:
+  OwnedMesh ground_ = plate(0, kSide, -0.5), right_ = plate(kSide / 2.0, kSide, 0),
+            nearer_ = plate(3.0 * kSide / 4, kSide, 0.3), behind_ = plate(0, kSide, -0.9);
+};
+
+TEST_P(Veils, LieOverTheLinesOfWhatTheyCover)
+{
+  const Line line(-0.5f, kBlack);
+  for (const int samples : {1, 4}) {
+    Stage stage = testing::pixelStage(kSide, samples);
+    stage.instances = {testing::painted(ground_, kWhite), pane(right_, 0.25f), pane(nearer_, 0.5f)};
+    stage.instances[0].lines = line.sets;
+    const Picture picture = draw(stage);
+    expectColor(picture, 5, kInLine, 0, 0, 0);
+    expectColor(picture, 20, kInLine, 0.25, 0, 0);
+    expectColor(picture, 28, kInLine, 0.25 * 0.5 + 0.5, 0, 0);
+    expectColor(picture, 5, kBesideLine, 1, 1, 1);
+    expectColor(picture, 20, kBesideLine, 1, 0.75, 0.75);
+    expectColor(picture, 28, kBesideLine, 1, 0.375, 0.375);
+  }
+}
+
+TEST_P(Veils, KeepTheirOwnLines)
+{
+  const Line below(-0.5f, kBlack), above(0.2f, {0, 0, 1}, 0.5f);
+  Stage stage = testing::pixelStage(kSide, 1);
+  // The pane comes first: its lines are the last all the same.
+  stage.instances = {pane(right_, 0.5f), testing::painted(ground_, kWhite)};
+  stage.instances[0].lines = above.sets;
+  stage.instances[1].lines = below.sets;
+  const Picture picture = draw(stage);
+  expectColor(picture, 5, kInLine, 0, 0, 0.5);
+  expectColor(picture, 20, kInLine, 0.25, 0, 0.5);
+}
+
+TEST_P(Veils, BehindTheSurfaceChangeNoLine)
+{
+  const Line line(-0.5f, kBlack, 0.7f);
+  Stage stage = testing::pixelStage(kSide, 4);
+  stage.instances = {testing::painted(ground_, kWhite)};
+  stage.instances[0].lines = line.sets;
+  const Picture alone = draw(stage);
+  stage.instances.push_back(pane(behind_, 0.5f));
+  EXPECT_EQ(draw(stage).differingPixels(alone), 0u);
+}
+
+TEST_P(Veils, LeaveWhatNoLineChanges)
+{
+  const Line line(-0.5f, {0.3f, 0.9f, 0.1f});
+  Stage stage = testing::pixelStage(kSide, 4);
+  stage.ambientLight = {0.37f, 0.41f, 0.59f};
+  stage.instances = {testing::painted(ground_, {0.3f, 0.7f, 0.9f}), pane(right_, 0.37f)};
+  const Picture bare = draw(stage);
+  stage.instances[0].lines = line.sets;
+  const Picture lined = draw(stage);
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      const Rgba8 a = at(bare, x, y), b = at(lined, x, y);
+      EXPECT_EQ(a.r == b.r && a.g == b.g && a.b == b.b, y < 14 || y > 17) << x << ", " << y;
+    }
+}
+
+TEST_P(Veils, LieOverOutlinesFromThePicture)
+{
+  const OwnedMesh small = plate(8, 24, -0.5);
+  Stage stage = testing::pixelStage(kSide, 1);
+  stage.instances = {testing::painted(small, kWhite), pane(right_, 0.25f)};
+  Style& style = stage.instances[0].style;
+  style.imageOutline.detector = OutlineDetector::kPlane;
+  style.outlineWidth = 4;
+  style.outlineColor = kBlack;
+  const Picture picture = draw(stage);
+  expectColor(picture, 8, kInLine, 0, 0, 0);
+  expectColor(picture, 23, kInLine, 0.25, 0, 0);
+  expectColor(picture, 18, kInLine, 1, 0.75, 0.75);
+}
+
+TEST_P(Veils, LieOverRadianceLikewise)
+{
+  const Line line(-0.5f, {0, 1, 0}, 0.5f);
+  Stage stage = testing::pixelStage(kSide, 4);
+  stage.instances = {testing::painted(ground_, kWhite), pane(right_, 0.25f)};
+  stage.instances[0].lines = line.sets;
+  Picture picture(kSide, kSide);
+  picture.addRadiance();
+  stage.drawOver(picture, GetParam());
+  const std::size_t inLine = kInLine * kSide + 20, beside = kBesideLine * kSide + 20;
+  EXPECT_NEAR(picture.radiance[0][inLine], 0.25 + 0.75 * 0.5, 1e-6);
+  EXPECT_NEAR(picture.radiance[1][inLine], 0.75, 1e-6);
+  EXPECT_NEAR(picture.radiance[2][inLine], 0.75 * 0.5, 1e-6);
+  EXPECT_NEAR(picture.radiance[1][beside], 0.75, 1e-6);
+}
+
+LIMN_ON_BOTH_BACKENDS(Veils);
+
+}  // namespace
+}  // namespace limn
