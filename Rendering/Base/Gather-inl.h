@@ -70,6 +70,44 @@ HWY_INLINE hwy::HWY_NAMESPACE::Vec<DI> gatherBytes(DI d, const std::uint8_t* fro
 #endif
 }
 
+/// Triples of floats, of `count` that lie at `from`: component c of those that `index` names, a
+/// lane each, is put to to[c].
+template <class D>
+HWY_INLINE void gatherTriples(D d, const float* from, std::size_t count, const std::int32_t* index,
+                              float* const (&to)[3])
+{
+  namespace hn = hwy::HWY_NAMESPACE;
+  const hn::RebindToSigned<D> di;
+#if HWY_TARGET == HWY_AVX2
+  // Whole triples are fewer loads and insertions, but read the float behind each.
+  const auto last = hn::Set(di, static_cast<std::int32_t>(count - 1));
+  if (HWY_LIKELY(hn::AllFalse(di, hn::Eq(hn::Load(di, index), last)))) {
+    const auto both = [&](std::size_t lane) HWY_ATTR {
+      const __m128 low = _mm_loadu_ps(from + std::ptrdiff_t{3} * index[lane]);
+      return _mm256_insertf128_ps(_mm256_castps128_ps256(low),
+                                  _mm_loadu_ps(from + std::ptrdiff_t{3} * index[lane + 4]), 1);
+    };
+    const __m256 a = both(0), b = both(1), c = both(2), e = both(3);
+    const __m256 xy0 = _mm256_unpacklo_ps(a, b), xy1 = _mm256_unpacklo_ps(c, e);
+    const __m256 z0 = _mm256_unpackhi_ps(a, b), z1 = _mm256_unpackhi_ps(c, e);
+    constexpr int kLow = _MM_SHUFFLE(1, 0, 1, 0), kHigh = _MM_SHUFFLE(3, 2, 3, 2);
+    _mm256_store_ps(to[0], _mm256_shuffle_ps(xy0, xy1, kLow));
+    _mm256_store_ps(to[1], _mm256_shuffle_ps(xy0, xy1, kHigh));
+    _mm256_store_ps(to[2], _mm256_shuffle_ps(z0, z1, kLow));
+    return;
+  }
+#endif
+  (void)count;
+  for (int c = 0; c < 3; ++c) {
+    const auto placeOf = [&](std::size_t lane) { return std::ptrdiff_t{3} * index[lane] + c; };
+    const auto places = [&]() HWY_ATTR {
+      const auto at = hn::Load(di, index);
+      return hn::Add(hn::Add(at, hn::Add(at, at)), hn::Set(di, c));
+    };
+    hn::Store(gatherLanes(d, from, placeOf, places), d, to[c]);
+  }
+}
+
 }  // namespace limn::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif  // per-target guard

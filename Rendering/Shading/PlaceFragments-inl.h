@@ -56,7 +56,7 @@ class Gatherer {
       if (cellColors) storeColor(data_.cellColors.data(), cell, 0, i);
       if (normals_ != NormalSource::kCell) continue;
       hn::Store(cell, DI(), normal_[0] + i);
-      storeVectors(data_.cellNormals.data(), normal_[0] + i, batch_.cornerNormal[0], i);
+      storeVectors(data_.cellNormals, normal_[0] + i, batch_.cornerNormal[0], i);
     }
   }
 
@@ -114,7 +114,7 @@ class Gatherer {
   {
     const VI vertex = hn::Load(DI(), vertex_[k] + i);
     if (normals_ == NormalSource::kVertex)
-      storeVectors(data_.vertexNormals.data(), normal_[k] + i, batch_.cornerNormal[k], i);
+      storeVectors(data_.vertexNormals, normal_[k] + i, batch_.cornerNormal[k], i);
     if (!data_.vertexColors.empty()) storeColor(data_.vertexColors.data(), vertex, k, i);
     if (uv_.set[0]) storePairs(data_.uv.data(), vertex, batch_.cornerUv[0][k], i);
     if (uv_.set[1]) storePairs(data_.uv2.data(), vertex, batch_.cornerUv[1][k], i);
@@ -170,20 +170,11 @@ class Gatherer {
     return gatherLanes(DI(), reinterpret_cast<const std::int32_t*>(from), index);
   }
 
-  static HWY_INLINE void storeVectors(const Vec3f* from, const std::int32_t* index,
+  static HWY_INLINE void storeVectors(Span<const Vec3f> from, const std::int32_t* index,
                                       FragmentBatch::Vectors& to, std::size_t i)
   {
-    const auto store = [&](const float* floats, float* component) HWY_ATTR {
-      const auto threefold = [&]() HWY_ATTR {
-        const VI at = hn::Load(DI(), index);
-        return hn::Add(at, hn::Add(at, at));
-      };
-      const auto firstOf = [&](std::size_t lane) { return std::ptrdiff_t{3} * index[lane]; };
-      hn::Store(gatherLanes(DF(), floats, firstOf, threefold), DF(), component + i);
-    };
-    store(&from->x, to.x);
-    store(&from->y, to.y);
-    store(&from->z, to.z);
+    float* const components[3] = {to.x + i, to.y + i, to.z + i};
+    gatherTriples(DF(), &from.data()->x, from.size(), index, components);
   }
 
   static HWY_INLINE void storePairs(const Vec2f* from, VI index, FragmentBatch::Pairs& to,
