@@ -22,12 +22,6 @@ bool hasPlacedLight(const SceneSettings& scene)
     [](const LightSettings& light) { return light.kind != LightKind::Headlight; });
 }
 
-double pixelsOf(const StrokeWidth& width, double pixelsPerInch)
-{
-  const double unitsPerInch[] = { pixelsPerInch, 72, 25.4 }; // in the order of StrokeUnits
-  return width.value * pixelsPerInch / unitsPerInch[width.unit];
-}
-
 /// In points or millimetres: those in pixels are checked as they are read.
 void checkStrokeWidth(const StrokeWidth& width, double pixelsPerInch)
 {
@@ -64,6 +58,12 @@ void checkHatchWidth(const SceneSettings& scene)
 }
 
 } // namespace
+
+double pixelsOf(const StrokeWidth& width, double pixelsPerInch)
+{
+  const double unitsPerInch[] = { pixelsPerInch, 72, 25.4 }; // in the order of StrokeUnits
+  return width.value * pixelsPerInch / unitsPerInch[width.unit];
+}
 
 bool hasHatchLines(const SceneSettings& scene)
 {

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CueOptions.h"
 
+#include "CheckLines.h" // for pixelsOf
 #include "ParseValue.h"
 #include "UserError.h"
 
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -24,10 +26,14 @@ OptionList::Reader upTo(Target& target, double most, const char* words, bool isZ
 {
   return [&target, most, words, isZeroAllowed](Text option, Text text)
   {
-    const double number = parseNumber(option, text);
+    const double number = parseNumberOfAnySize(option, text);
     if (number < 0 || number > most || (number == 0 && !isZeroAllowed))
     {
       throw UserError(option + "=" + text + " is not " + words);
+    }
+    if (!isZeroAllowed)
+    {
+      refuseTiny(option, text, number);
     }
     target = number;
   };
@@ -36,11 +42,24 @@ OptionList::Reader upTo(Target& target, double most, const char* words, bool isZ
 StrokeWidth parseHalo(Text option, Text text)
 {
   const StrokeWidth width = parseStrokeWidth(option, text);
-  if (width.unit == 0 && width.value > 64)
+  if (width.unit == 0 && width.value > kMaxHaloPixels)
   {
     throw UserError(option + "=" + text + " is wider than 64 pixels");
   }
   return width;
+}
+
+/// In points or millimetres: those in pixels are checked as they are read.
+void checkHaloWidth(const StrokeWidth& width, double pixelsPerInch)
+{
+  const double pixels = pixelsOf(width, pixelsPerInch);
+  if (width.unit != 0 && pixels > kMaxHaloPixels)
+  {
+    std::ostringstream text;
+    text << "--halo is " << pixels << " pixels at " << pixelsPerInch << " dpi; halos are at most "
+         << kMaxHaloPixels << " wide";
+    throw UserError(text.str());
+  }
 }
 
 } // namespace
@@ -97,6 +116,10 @@ void checkCues(const SceneSettings& scene)
     {
       throw UserError(std::string(one.option) + " needs " + one.needed);
     }
+  }
+  if (cues.halo)
+  {
+    checkHaloWidth(*cues.halo, scene.pixelsPerInch.value_or(72));
   }
 }
 

@@ -35,7 +35,7 @@ bool isFrom(double smallest, double number)
 
 double parseExposure(Text option, Text text)
 {
-  const double number = parseNumber(option, text);
+  const double number = parseNumberOfAnySize(option, text);
   if (!isFrom(0, number))
   {
     refuse(option, text, " is not from 0 to 65504");
@@ -45,7 +45,7 @@ double parseExposure(Text option, Text text)
 
 double parseWhitePoint(Text option, Text text)
 {
-  const double number = parseNumber(option, text);
+  const double number = parseNumberOfAnySize(option, text);
   if (!isFrom(0.001, number))
   {
     refuse(option, text, " is not from 0.001 to 65504");

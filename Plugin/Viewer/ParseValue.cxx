@@ -8,6 +8,7 @@
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 namespace limn::viewer
 {
@@ -19,19 +20,15 @@ constexpr int kLargestSide = 16384;
 /// Of a number's size. Far beyond any use, and small enough for the renderer, which squares lengths
 /// and keeps colours in single precision.
 constexpr double kLargestNumber = 1e30;
+/// Likewise of numbers that must not be 0.
+constexpr double kSmallestNumber = 1e-30;
 
-[[noreturn]] void refuse(
-  const std::string& option, const std::string& text, const std::string& expected)
-{
-  throw UserError(option + "=" + text + " is not " + expected);
-}
-
-std::vector<std::string> split(const std::string& text, char separator)
+std::vector<std::string> split(const std::string& text, const std::string& separators)
 {
   std::vector<std::string> parts(1);
   for (const char letter : text)
   {
-    if (letter == separator)
+    if (separators.find(letter) != std::string::npos)
     {
       parts.emplace_back();
     }
@@ -43,7 +40,8 @@ std::vector<std::string> split(const std::string& text, char separator)
   return parts;
 }
 
-std::optional<double> finiteNumber(const std::string& text)
+/// Of any size. What is larger or nearer to 0 than a double becomes the last one that is not.
+std::optional<double> numberOfAnySize(const std::string& text)
 {
   const char* first = text.data();
   const char* const last = first + text.size();
@@ -54,11 +52,41 @@ std::optional<double> finiteNumber(const std::string& text)
   }
   double number = 0;
   const auto [end, error] = std::from_chars(first, last, number);
-  if (error != std::errc() || end != last || !(std::abs(number) <= kLargestNumber))
+  if (end != last || error == std::errc::invalid_argument)
   {
     return std::nullopt;
   }
-  return number;
+  if (error == std::errc::result_out_of_range)
+  {
+    const std::size_t exponent = text.find_first_of("eE");
+    const bool isTiny = exponent == std::string::npos ? text[text.find_first_not_of("+-0")] == '.'
+                                                      : text[exponent + 1] == '-';
+    number =
+      isTiny ? std::numeric_limits<double>::denorm_min() : std::numeric_limits<double>::max();
+    return *first == '-' ? -number : number;
+  }
+  return std::isfinite(number) ? std::optional<double>(number) : std::nullopt;
+}
+
+std::optional<double> finiteNumber(const std::string& text)
+{
+  const std::optional<double> number = numberOfAnySize(text);
+  return number && std::abs(*number) <= kLargestNumber ? number : std::nullopt;
+}
+
+/// Says so if a number in the text is too large, which nobody would guess from what is expected.
+[[noreturn]] void refuse(
+  const std::string& option, const std::string& text, const std::string& expected)
+{
+  for (const std::string& part : split(text, ",:="))
+  {
+    if (const auto number = numberOfAnySize(part); number && std::abs(*number) > kLargestNumber)
+    {
+      throw UserError(option + "=" + text + ": " + part +
+                      " is not from -1e30 to 1e30, as all numbers have to be");
+    }
+  }
+  throw UserError(option + "=" + text + " is not " + expected);
 }
 
 std::optional<int> wholeNumber(const std::string& text, int smallest, int largest)
@@ -75,7 +103,7 @@ std::optional<int> wholeNumber(const std::string& text, int smallest, int larges
 
 std::optional<Vector3> finiteVector(const std::string& text)
 {
-  const std::vector<std::string> parts = split(text, ',');
+  const std::vector<std::string> parts = split(text, ",");
   if (parts.size() != 3)
   {
     return std::nullopt;
@@ -295,7 +323,7 @@ double parseNumber(const std::string& option, const std::string& text)
 std::vector<double> parseNumbers(
   const std::string& option, const std::string& text, std::size_t fewest, std::size_t most)
 {
-  const std::vector<std::string> parts = split(text, ',');
+  const std::vector<std::string> parts = split(text, ",");
   std::vector<double> numbers;
   for (const std::string& part : parts)
   {
@@ -365,7 +393,7 @@ Color parseIntensity(const std::string& option, const std::string& text)
 
 std::array<double, 2> parseRange(const std::string& option, const std::string& text)
 {
-  const std::vector<std::string> parts = split(text, ',');
+  const std::vector<std::string> parts = split(text, ",");
   if (parts.size() == 2)
   {
     const auto low = finiteNumber(parts[0]);
@@ -380,7 +408,7 @@ std::array<double, 2> parseRange(const std::string& option, const std::string& t
 
 std::array<int, 2> parseResolution(const std::string& option, const std::string& text)
 {
-  const std::vector<std::string> parts = split(text, ',');
+  const std::vector<std::string> parts = split(text, ",");
   if (parts.size() == 2)
   {
     const auto width = wholeNumber(parts[0], 1, kLargestSide);
@@ -412,7 +440,7 @@ Vector3 parseAxis(const std::string& option, const std::string& text)
 
 LightSettings parseLight(const std::string& option, const std::string& text)
 {
-  const std::vector<std::string> parts = split(text, ':');
+  const std::vector<std::string> parts = split(text, ":");
   if (text == "headlight")
   {
     return {};
@@ -444,14 +472,33 @@ std::string joinWords(const std::vector<std::string>& words)
   return joined;
 }
 
-double parsePositive(const std::string& option, const std::string& text)
+double parseNumberOfAnySize(const std::string& option, const std::string& text)
 {
-  const double number = parseNumber(option, text);
+  const std::optional<double> number = numberOfAnySize(text);
+  return number ? *number : parseNumber(option, text);
+}
+
+void refuseTiny(const std::string& option, const std::string& text, double number)
+{
+  if (number != 0 && std::abs(number) < kSmallestNumber)
+  {
+    throw UserError(option + "=" + text + " is nearer to 0 than 1e-30, the smallest number here");
+  }
+}
+
+double requirePositive(const std::string& option, const std::string& text, double number)
+{
   if (number <= 0)
   {
     throw UserError(option + "=" + text + " is not greater than 0");
   }
+  refuseTiny(option, text, number);
   return number;
+}
+
+double parsePositive(const std::string& option, const std::string& text)
+{
+  return requirePositive(option, text, parseNumber(option, text));
 }
 
 StrokeWidth parseStrokeWidth(const std::string& option, const std::string& text)
@@ -462,10 +509,13 @@ StrokeWidth parseStrokeWidth(const std::string& option, const std::string& text)
     const std::size_t digits = text.size() < 2 ? 0 : text.size() - 2;
     if (text.compare(digits, 2, units[unit]) == 0)
     {
-      return { parsePositive(option, text.substr(0, digits)), unit };
+      const std::string digitsOnly = text.substr(0, digits);
+      const double number =
+        unit == 0 ? parseNumberOfAnySize(option, digitsOnly) : parseNumber(option, digitsOnly);
+      return { requirePositive(option, text, number), unit };
     }
   }
-  return { parsePositive(option, text), 0 };
+  return { requirePositive(option, text, parseNumberOfAnySize(option, text)), 0 };
 }
 
 } // namespace limn::viewer

@@ -19,7 +19,16 @@ namespace limn::viewer
 /// are at most 1e30 in size.
 double parseNumber(const std::string& option, const std::string& text);
 
-/// A number above 0.
+/// Likewise of any size, for options that have a range of their own to name.
+double parseNumberOfAnySize(const std::string& option, const std::string& text);
+
+/// Throws if a number, which may be 0, is so near to it that the renderer would take it for that.
+void refuseTiny(const std::string& option, const std::string& text, double number);
+
+/// `number`; throws if it is not from 1e-30 on.
+double requirePositive(const std::string& option, const std::string& text, double number);
+
+/// A number above 0, from 1e-30 on.
 double parsePositive(const std::string& option, const std::string& text);
 
 /// Finite numbers with commas between them, as many as allowed.
@@ -41,7 +50,7 @@ Color parseColor(const std::string& option, const std::string& text);
 /// r,g,b of a light, a surface or a tone, from which the picture is computed: each at least 0.
 Color parseIntensity(const std::string& option, const std::string& text);
 
-/// A number above 0, in pixels, or in what follows it: px, pt, mm.
+/// A number above 0, in pixels, or in what follows it: px, pt, mm. Pixels may be of any size.
 StrokeWidth parseStrokeWidth(const std::string& option, const std::string& text);
 
 /// a,b with a < b.

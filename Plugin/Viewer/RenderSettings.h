@@ -233,6 +233,7 @@ struct TextureSettings
 
 /// Of lines, in pixels.
 inline constexpr double kMaxStrokePixels = 256;
+inline constexpr double kMaxHaloPixels = 64;
 
 struct StrokeWidth
 {

@@ -47,7 +47,7 @@ double parseNotNegative(Text option, Text text)
 
 double parseWithin(Text option, Text text, double low, double high, const char* unit = "")
 {
-  const double number = parseNumber(option, text);
+  const double number = parseNumberOfAnySize(option, text);
   if (number < low || number > high)
   {
     std::ostringstream message;
@@ -64,11 +64,12 @@ double parseOutlineWidth(Text option, Text text)
 
 double parseViewAngle(Text option, Text text)
 {
-  const double degrees = parseNumber(option, text);
+  const double degrees = parseNumberOfAnySize(option, text);
   if (degrees <= 0 || degrees >= 180)
   {
     throw UserError(option + "=" + text + " is not between 0 and 180 degrees");
   }
+  refuseTiny(option, text, degrees);
   return degrees;
 }
 
@@ -118,7 +119,7 @@ void addCamera(OptionList& options, CameraSettings& camera)
 
 double parseFeatureAngle(Text option, Text text)
 {
-  const double degrees = parseNumber(option, text);
+  const double degrees = parseNumberOfAnySize(option, text);
   if (degrees < 0 || degrees > 180)
   {
     throw UserError(option + "=" + text + " is not between 0 and 180 degrees");
@@ -191,30 +192,14 @@ std::array<double, 2> parseDistances(Text option, Text text)
   return range;
 }
 
-double parsePixels(Text option, Text text, Text digits)
+StrokeWidth parseWidthOfLines(Text option, Text text)
 {
-  const double pixels = parsePositive(option, digits);
-  if (pixels > kMaxStrokePixels)
+  const StrokeWidth width = parseStrokeWidth(option, text);
+  if (width.unit == 0 && width.value > kMaxStrokePixels)
   {
     throw UserError(option + "=" + text + " is greater than 256 pixels");
   }
-  return pixels;
-}
-
-StrokeWidth parseStrokeWidth(Text option, Text text)
-{
-  const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
-  for (int unit = 0; unit < 3; ++unit)
-  {
-    const std::size_t digits = text.size() < 2 ? 0 : text.size() - 2;
-    if (text.compare(digits, 2, units[unit]) == 0)
-    {
-      const std::string number = text.substr(0, digits);
-      return { unit == 0 ? parsePixels(option, text, number) : parsePositive(option, number),
-        unit };
-    }
-  }
-  return { parsePixels(option, text, text), 0 };
+  return width;
 }
 
 void addHatching(OptionList& options, MaterialSettings& material)
@@ -222,7 +207,7 @@ void addHatching(OptionList& options, MaterialSettings& material)
   options.add("--hatch-spacing", "s",
     "of strokes where a quarter is ink (of --lines=hatch,\nhalf of the light arrives), as 6, 4pt "
     "or 1.5mm (6)",
-    into(material.hatchSpacing, parseStrokeWidth));
+    into(material.hatchSpacing, parseWidthOfLines));
   options.add("--hatch-darkest", "a", "share of ink where no light arrives, 0 to 1 (0.85)",
     into(material.hatchDarkest, parseShare));
   options.add("--hatch-ink", "r,g,b", "(0,0,0)", into(material.hatchInk, parseColor));
@@ -365,6 +350,8 @@ std::array<double, 2> parseDash(Text option, Text text)
     throw UserError(
       option + "=" + text + ": dash and gap have to be above 0, and together half a pixel");
   }
+  refuseTiny(option, text, lengths[0]);
+  refuseTiny(option, text, lengths[1]);
   return { lengths[0], lengths[1] };
 }
 
@@ -420,7 +407,7 @@ void addLines(OptionList& options, SceneSettings& scene)
     [&lines](Text, Text text) { lines.idArray = text; });
   options.add("--stroke-width", "width",
     "as 1.5, 1.5px, 0.75pt or 0.35mm; up to 256 pixels\n(1.5px)",
-    into(lines.width, parseStrokeWidth));
+    into(lines.width, parseWidthOfLines));
   options.add("--dpi", "n", "pixels an inch of the picture, for pt and mm (72)",
     into(scene.pixelsPerInch, parsePixelsPerInch));
   options.add("--outer-width", "factor",
@@ -439,7 +426,7 @@ void addLines(OptionList& options, SceneSettings& scene)
 
 double parseProceduralScale(Text option, Text text)
 {
-  const double scale = parsePositive(option, text);
+  const double scale = requirePositive(option, text, parseNumberOfAnySize(option, text));
   if (scale > 1e6)
   {
     throw UserError(option + "=" + text + " is greater than 1e6");

@@ -11,6 +11,8 @@
  * Rectangles and spheres are sums of point lights, always at the same places: more of them make
  * smoother pictures that take longer. There are no shadows.
  *
+ * Choices and Samples are clamped to their range (vtkSetClampMacro).
+ *
  * @sa
  * vtkLimnPolyDataMapper vtkLimnProperty
  */

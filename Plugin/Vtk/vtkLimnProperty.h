@@ -13,6 +13,11 @@
  * Only Limn's mapper reads these settings. n is the surface normal, l points towards the light, v
  * towards the eye, h halfway between them, r along the reflected ray; all are unit vectors.
  *
+ * Choices and whole numbers, and most angles, shares and factors, are clamped: what is outside of
+ * their range becomes the nearest end of it, as VTK's own properties have it (vtkSetClampMacro).
+ * Other values are kept as they are given; what cannot be drawn with one of them is not drawn, and
+ * an error names the value and its range.
+ *
  * @sa
  * vtkLimnActor vtkLimnPolyDataMapper vtkLimnSurfaceShader
  */

@@ -17,6 +17,8 @@
  *
  * GetReadBackError() says how well values can be read off the surface.
  *
+ * NumberOfValues and NumberOfTones are clamped to their range (vtkSetClampMacro).
+ *
  * @sa
  * vtkLimnProperty::SetToneOverData vtkScalarBarActor
  */

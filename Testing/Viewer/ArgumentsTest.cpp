@@ -306,6 +306,12 @@ TEST(Arguments, DepthCuesAreRead)
     { "--halo-depth=2", "--halo-depth needs --halo" },
     { "--halo-depth=0", "--halo-depth=0 is not greater than 0" },
     { "--halo-color=1,1,1", "--halo-color needs --halo" },
+    { "--halo=1e300", "--halo=1e300 is wider than 64 pixels" },
+    { "--halo=1e400px", "--halo=1e400px is wider than 64 pixels" },
+    { "--halo=65pt", "--halo is 65 pixels at 72 dpi; halos are at most 64 wide" },
+    { "--edl=1e300", "--edl=1e300 is not from 0 to 100" },
+    { "--edl-radius=1e-46",
+      "--edl-radius=1e-46 is nearer to 0 than 1e-30, the smallest number here" },
   };
   for (const auto& one : cases)
   {
@@ -615,6 +621,46 @@ INSTANTIATE_TEST_SUITE_P(Arguments, BadValue,
     "--light=spot:0,0,0:0,0,1:30:-1:1,1,1", "--light=spot:0,0,0:0,0,1:30:1", "--ambient-light=1,2",
     "--coloring-range=1,1", "--coloring-range=2,1", "--coloring-range=0,nan", "--threads=0",
     "--threads=-2", "--threads=two", "--threads=1.5", "--opacity=x", "--output=", "--color="));
+
+TEST(Arguments, NumbersOutOfRangeAreToldFromWhatIsNone)
+{
+  const std::string range = " is not from -1e30 to 1e30, as all numbers have to be";
+  const std::string tiny = " is nearer to 0 than 1e-30, the smallest number here";
+  const struct
+  {
+    std::string option;
+    std::string error;
+  } cases[] = {
+    { "--camera-position=1,1e300,1", ": 1e300" + range },
+    { "--camera-position=1,-1e400,1", ": -1e400" + range },
+    { "--camera-position=1,1e-400,x", " is not three finite numbers, as in "
+                                      "--camera-position=1,0,-2.5" },
+    { "--color=1e31,0,0", ": 1e31" + range },
+    { "--bump-scale=1e300", ": 1e300" + range },
+    { "--light=point:0,0,0:power=1e300,1,1", ": 1e300" + range },
+    { "--coloring-range=0,1e300", ": 1e300" + range },
+    { "--stroke-dash=1e300,1", ": 1e300" + range },
+    { "--bump-scale=inf", " is not a finite number, as in --bump-scale=1.5" },
+    { "--bump-scale=1e300x", " is not a finite number, as in --bump-scale=1.5" },
+    { "--stroke-width=1e300", " is greater than 256 pixels" },
+    { "--stroke-width=1" + std::string(400, '0'), " is greater than 256 pixels" },
+    { "--stroke-width=0." + std::string(400, '0') + "1", tiny },
+    { "--stroke-width=1e-40", tiny },
+    { "--stroke-width=1e-400mm", tiny },
+    { "--stroke-width=-1e-400", " is not greater than 0" },
+    { "--stroke-dash=1e-40,1", tiny },
+    { "--camera-parallel-scale=1e-320", tiny },
+    { "--camera-view-angle=1e-46", tiny },
+    { "--camera-view-angle=1e300", " is not between 0 and 180 degrees" },
+    { "--opacity=1e300", " is not from 0 to 1" },
+    { "--exposure=1e300", " is not from 0 to 65504" },
+    { "--procedural-scale=1e300", " is greater than 1e6" },
+  };
+  for (const auto& one : cases)
+  {
+    EXPECT_EQ(renderErrorOf({ one.option }), one.option + one.error);
+  }
+}
 
 TEST(Arguments, FactorsOfLightMayExceed1AndColorsOfThePictureMayNot)
 {

@@ -208,6 +208,35 @@ void checkWords()
     },
     800);
   checkOne(
+    "HaloWidth of its vtkLimnProperty is 1e+38 pixels; it has to be from 0 to 64.",
+    [](vtkLimnProperty* property) { property->SetHaloWidth(1e38); }, 800);
+  checkOne(
+    "HaloWidth of its vtkLimnProperty is 72 pixels; it has to be from 0 to 64.",
+    [](vtkLimnProperty* property)
+    {
+      property->SetHaloUnitToPoints();
+      property->SetHaloWidth(72);
+    },
+    800);
+  checkOne(
+    "HaloDepth of its vtkLimnProperty has the value 1e-46; it has to be a finite number above 0, "
+    "and no less than 1.4013e-45.",
+    [](vtkLimnProperty* property)
+    {
+      property->SetHaloWidth(2);
+      property->SetHaloDepth(1e-46);
+    },
+    0);
+  checkOne(
+    "EyeDomeRadius of its vtkLimnProperty has the value 1e-60; it has to be above 0, at most 0.02, "
+    "and no less than 1.4013e-45.",
+    [](vtkLimnProperty* property)
+    {
+      property->EyeDomeLightingOn();
+      property->SetEyeDomeRadius(1e-60);
+    },
+    0);
+  checkOne(
     "ProceduralScale of its vtkLimnProperty has the value 0; it has to be above 0, at most "
     "1e+06.",
     [](vtkLimnProperty* property)

@@ -4,7 +4,7 @@
 
 #include "vtkLimnProperty.h"
 
-#include <algorithm>
+#include <sstream>
 
 namespace limn::bridge
 {
@@ -24,15 +24,33 @@ double haloPixels(vtkLimnProperty* property, double pixelsPerInch)
   }
 }
 
+/// Leaves out one that is too wide.
+Status haloOf(vtkLimnProperty* property, double pixelsPerInch, Halo& halo)
+{
+  const double width = haloPixels(property, pixelsPerInch);
+  if (width > kMaxHaloWidth)
+  {
+    std::ostringstream text;
+    text << "HaloWidth of its vtkLimnProperty is " << width << " pixels; it has to be from 0 to "
+         << kMaxHaloWidth << ".";
+    return { Error::kNotFinite, text.str() };
+  }
+  halo.width = static_cast<float>(width);
+  halo.depth = static_cast<float>(property->GetHaloDepth());
+  const double* const color = property->GetHaloColor();
+  halo.color = vec3Cast<float>(Vec3d{ color[0], color[1], color[2] });
+  return {};
+}
+
 } // namespace
 
-DepthCues cuesOf(vtkProperty* property, double pixelsPerInch)
+Status cuesOf(vtkProperty* property, double pixelsPerInch, DepthCues& cues)
 {
-  DepthCues cues;
+  cues = {};
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
   if (!limn)
   {
-    return cues;
+    return {};
   }
   if (limn->GetEyeDomeLighting())
   {
@@ -45,15 +63,7 @@ DepthCues cuesOf(vtkProperty* property, double pixelsPerInch)
     cues.unsharp.radius = static_cast<float>(limn->GetDepthUnsharpRadius());
     cues.unsharp.lightens = limn->GetDepthUnsharp() == vtkLimnProperty::DEPTH_UNSHARP_BOTH;
   }
-  if (limn->GetHaloWidth() > 0)
-  {
-    const double width = haloPixels(limn, pixelsPerInch);
-    cues.halo.width = static_cast<float>(std::min(width, double{ kMaxHaloWidth }));
-    cues.halo.depth = static_cast<float>(limn->GetHaloDepth());
-    const double* const color = limn->GetHaloColor();
-    cues.halo.color = vec3Cast<float>(Vec3d{ color[0], color[1], color[2] });
-  }
-  return cues;
+  return limn->GetHaloWidth() > 0 ? haloOf(limn, pixelsPerInch, cues.halo) : Status{};
 }
 
 } // namespace limn::bridge

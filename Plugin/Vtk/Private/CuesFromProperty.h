@@ -3,6 +3,7 @@
 #ifndef CuesFromProperty_h
 #define CuesFromProperty_h
 
+#include "Rendering/Base/Status.h"
 #include "Rendering/DepthCues.h"
 
 class vtkProperty;
@@ -10,8 +11,9 @@ class vtkProperty;
 namespace limn::bridge
 {
 
-/// The depth cues that the property asks for, in a window of so many pixels an inch.
-DepthCues cuesOf(vtkProperty* property, double pixelsPerInch);
+/// The depth cues that the property asks for, in a window of so many pixels an inch. Errors: a halo
+/// is too wide; it is left out.
+Status cuesOf(vtkProperty* property, double pixelsPerInch, DepthCues& cues);
 
 } // namespace limn::bridge
 

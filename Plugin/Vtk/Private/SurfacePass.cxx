@@ -142,6 +142,16 @@ void setHatchSpacing(const Surface& surface, const LineView& view, Instance& ins
   }
 }
 
+void describeCues(const Surface& surface, const LineView& view, Instance& instance)
+{
+  const Status status =
+    cuesOf(surface.actor->GetProperty(), view.pixelsPerInch, instance.style.cues);
+  if (!status.ok())
+  {
+    vtkErrorWithObjectMacro(surface.actor, "Drawn without a halo: " << status.message);
+  }
+}
+
 Drawables describeAll(
   const std::vector<Surface>& surfaces, const LineView& view, SceneLines& sceneLines)
 {
@@ -161,8 +171,7 @@ Drawables describeAll(
       described.push_back(&surface);
       setHatchSpacing(surface, view, drawables.instances.back());
       describeLines(surface, view, drawables.instances.back(), drawables.lines);
-      drawables.instances.back().style.cues =
-        cuesOf(surface.actor->GetProperty(), view.pixelsPerInch);
+      describeCues(surface, view, drawables.instances.back());
       drawables.actors.push_back(surface.actor);
       if (Instance hull; describeHull(surface, hull))
       {

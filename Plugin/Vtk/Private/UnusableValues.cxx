@@ -84,6 +84,11 @@ public:
     {
       need << ", and no more than " << kMost << " in size";
     }
+    constexpr double kLeastAboveZero = std::numeric_limits<float>::denorm_min();
+    if (range.isAboveLeast && range.least == 0 && value > 0 && value < kLeastAboveZero)
+    {
+      need << ", and no less than " << kLeastAboveZero;
+    }
     this->refuse(name, value, need.str());
   }
   /// Of three values, as colours have.
@@ -235,6 +240,7 @@ void checkCues(vtkLimnProperty* property, Checker& checker)
     checker.check(
       "DepthUnsharpRadius", property->GetDepthUnsharpRadius(), { 0, kMaxUnsharpRadius, true });
   }
+  // How wide it is in pixels tells haloOf().
   checker.check("HaloWidth", property->GetHaloWidth(), kNotNegative);
   if (property->GetHaloWidth() > 0)
   {
