@@ -102,8 +102,8 @@ class TilePainter {
     thread_local const auto memory = std::make_unique<StrokeTile>();
     memory_ = memory.get();
     if (!wantsLinePixels(frame)) return;
-    thread_local const auto open = std::make_unique<OpenSamples>();
-    open_ = open.get();
+    thread_local OpenSamples open;
+    open_ = &open;
     open_->begin(tile);
   }
 

@@ -41,12 +41,12 @@ std::uint32_t bitCount(std::uint32_t bits)
 void OpenSamples::begin(const TileRectangle& tile)
 {
   tile_ = tile;
-  std::fill_n(pixels_, kTilePixels, Pixel{{0, 0, 0, 0}, 1});
+  pixels_.assign(kTilePixels, Pixel{{0, 0, 0, 0}, 1});
 }
 
 void OpenSamples::add(int x, int y, Vec4f line, float share, float depth)
 {
-  Pixel& pixel = pixels_[(y - tile_.y0) * kTileSide + (x - tile_.x0)];
+  Pixel& pixel = pixels_[indexOf(x, y)];
   Vec4f& color = pixel.color;
   color = {mixed(color.x, line.x, share), mixed(color.y, line.y, share),
            mixed(color.z, line.z, share), mixed(color.w, line.w, share)};
@@ -58,7 +58,7 @@ void OpenSamples::collect(const FrameView& frame, int samples, std::vector<LineP
   const auto all = static_cast<std::uint8_t>((1u << samples) - 1u);
   for (int y = tile_.y0; y < tile_.y1; ++y)
     for (int x = tile_.x0; x < tile_.x1; ++x) {
-      const Pixel& pixel = pixels_[(y - tile_.y0) * kTileSide + (x - tile_.x0)];
+      const Pixel& pixel = pixels_[indexOf(x, y)];
       const Rgba8 color = {roundedByte(pixel.color.x), roundedByte(pixel.color.y),
                            roundedByte(pixel.color.z), roundedByte(pixel.color.w)};
       const std::uint8_t covered = frame.coverage[y * frame.rowStride + x];

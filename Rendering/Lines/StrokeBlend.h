@@ -7,6 +7,7 @@
 #include "Rendering/Lines/HaloCut.h"
 #include "Rendering/Lines/StrokePieces.h"
 
+#include <cstddef>
 #include <vector>
 
 namespace limn {
@@ -25,8 +26,13 @@ class OpenSamples {
     Vec4f color;  ///< multiplied by alpha; 255 is full
     float depth;
   };
+  std::size_t indexOf(int x, int y) const
+  {
+    return static_cast<std::size_t>((y - tile_.y0) * kTileSide + (x - tile_.x0));
+  }
+
   TileRectangle tile_ = {0, 0, 0, 0};
-  Pixel pixels_[kTilePixels];
+  std::vector<Pixel> pixels_;
 };
 
 /// Lays one group over the pixels of a frame.
