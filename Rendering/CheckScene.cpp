@@ -287,12 +287,18 @@ Status checkSmoothNormals(const Instance& instance, MeshSizes sizes, InstanceNam
   if (a.smoothNormals.size() > static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
     return {Error::kTooManyPrimitives,
             name + ": it has more than 2147483647 smooth normals; ask for fewer levels."};
-  if (!a.smoothOfCorner.empty())
-    return checkSize(a.smoothOfCorner.size(), 3 * sizes.triangles, name,
-                     ": smooth normals of corners");
-  return checkSize(a.smoothNormals.size(),
-                   sizes.vertices * static_cast<std::size_t>(a.smoothLevels), name,
-                   ": smooth normals");
+  const auto levels = static_cast<std::size_t>(a.smoothLevels);
+  if (a.smoothOfCorner.empty())
+    return checkSize(a.smoothNormals.size(), sizes.vertices * levels, name, ": smooth normals");
+  // As for cells, how many there are is told: to look at each corner would take as long as drawing.
+  if (a.smoothCount == 0 || a.smoothCount > a.smoothNormals.size() / levels)
+    return {Error::kSizeMismatch, name + ": its corners have " + std::to_string(a.smoothCount) +
+                                      " smooth normals of " + std::to_string(levels) +
+                                      " levels, and there are " +
+                                      std::to_string(a.smoothNormals.size()) +
+                                      " values; set smoothCount to how many there are."};
+  return checkSize(a.smoothOfCorner.size(), 3 * sizes.triangles, name,
+                   ": smooth normals of corners");
 }
 
 Status checkAttributes(const Instance& instance, MeshSizes sizes, InstanceName name)

@@ -236,8 +236,9 @@ struct Attributes {
   /// Three a triangle: which of smoothNormals its corners have, so that a vertex may have several.
   /// Required to be numbers of such that are there. Empty: those of the vertex.
   Span<const std::uint32_t> smoothOfCorner = {};
-  int smoothLevels = 0;   ///< 1 to kMaxSmoothLevels, if there are any
-  float smoothRatio = 1;  ///< from a level's sigma to the next, 1 to kMaxSmoothRatio
+  std::size_t smoothCount = 0;  ///< with `smoothOfCorner`: required to be above every one of them
+  int smoothLevels = 0;         ///< 1 to kMaxSmoothLevels, if there are any
+  float smoothRatio = 1;        ///< from a level's sigma to the next, 1 to kMaxSmoothRatio
   /// For ImageOutline::ids, per cell: what it is a part of. Empty: all of them are of one.
   Span<const std::uint32_t> cellIds = {};
 };

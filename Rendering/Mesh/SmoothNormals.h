@@ -64,6 +64,12 @@ struct SmoothNormals {
   /// From sigma to the next level's. That of the finest level is the mean distance of neighbours,
   /// (2 A / (sqrt(3) V))^1/2 of a mesh of area A and V vertices.
   float ratio = 1;
+
+  /// Attributes::smoothCount
+  std::size_t count() const
+  {
+    return levels > 0 ? packed.size() / static_cast<std::size_t>(levels) : 0;
+  }
 };
 
 /// The vertex normals spread over the surface as heat spreads, so that a level of sigma is their

@@ -646,6 +646,7 @@ void RandomScene::addExaggeration(Detail detail)
       if (instance.clusters != &mesh->clusters) continue;
       instance.attributes.smoothNormals = mesh->smoothNormals.packed;
       instance.attributes.smoothOfCorner = mesh->smoothNormals.ofCorner;
+      instance.attributes.smoothCount = mesh->smoothNormals.count();
       instance.attributes.smoothLevels = mesh->smoothNormals.levels;
       instance.attributes.smoothRatio = mesh->smoothNormals.ratio;
     }

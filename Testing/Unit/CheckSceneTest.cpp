@@ -80,6 +80,15 @@ void giveSmoothNormals(Input& input)
   input.instance().attributes.smoothLevels = 2;
 }
 
+/// The same, corner by corner.
+void giveSmoothNormalsOfCorners(Input& input)
+{
+  static const std::uint32_t kOfCorners[6] = {0, 1, 2, 0, 2, 3};
+  giveSmoothNormals(input);
+  input.instance().attributes.smoothOfCorner = {kOfCorners, 6};
+  input.instance().attributes.smoothCount = 4;
+}
+
 const Mistake kFrameMistakes[] = {
     {"WidthZero", Error::kInvalidImageSize, "0 x 16", [](Input& i) { i.frame.width = 0; }},
     {"HeightZero", Error::kInvalidImageSize, "16 x 0", [](Input& i) { i.frame.height = 0; }},
@@ -318,6 +327,18 @@ const Mistake kInstanceMistakes[] = {
        static const std::uint32_t one[] = {0};
        giveSmoothNormals(i);
        i.instance().attributes.smoothOfCorner = {one, 1};
+       i.instance().attributes.smoothCount = 4;
+     }},
+    {"SmoothNormalsFewerThanCornersHave", Error::kSizeMismatch,
+     "its corners have 4 smooth normals of 2 levels, and there are 7 values",
+     [](Input& i) {
+       giveSmoothNormalsOfCorners(i);
+       i.instance().attributes.smoothNormals = shortened(i.instance().attributes.smoothNormals);
+     }},
+    {"SmoothNormalsOfCornersWithoutTheirNumber", Error::kSizeMismatch, "smoothCount",
+     [](Input& i) {
+       giveSmoothNormalsOfCorners(i);
+       i.instance().attributes.smoothCount = 0;
      }},
     {"SmoothNormalsWithoutLevels", Error::kNotFinite, "levels",
      [](Input& i) {

@@ -363,6 +363,7 @@ struct ExaggeratedStage {
     instance().style.tone = Tone::kExaggerated;
     instance().attributes.smoothNormals = smooth.packed;
     instance().attributes.smoothOfCorner = smooth.ofCorner;
+    instance().attributes.smoothCount = smooth.count();
     instance().attributes.smoothLevels = smooth.levels;
     instance().attributes.smoothRatio = smooth.ratio;
     Light light;

@@ -354,6 +354,7 @@ void SurfaceMesh::describe(Instance& instance) const
   {
     attributes.smoothNormals = smooth_->packed;
     attributes.smoothOfCorner = smooth_->ofCorner;
+    attributes.smoothCount = smooth_->count();
     attributes.smoothLevels = smooth_->levels;
     attributes.smoothRatio = smooth_->ratio;
   }
