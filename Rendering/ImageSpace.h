@@ -43,10 +43,13 @@ inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
 /// Steps and borders belong to the nearer surface: the line lies inside of it,
 /// `Style::outlineWidth` wide from the border, which is found in the coverage of the samples to a
 /// part of a pixel. Creases lie in the middle of their line. Antialiased by the share of the pixel
-/// that the line covers.
+/// that the line covers. A line is drawn in the pixels of its surface: those from which a straight
+/// way to it crosses no step by kPlane and no other instance; and in pixels that a surface shares
+/// with another one's border as if it filled them, as far as it does.
 struct ImageOutline {
   /// Steps in fewer pixels that touch each other are specks, and left out; but for those that touch
-  /// a border or a crease.
+  /// a border. Where normals differ they count as creases, so that a crease's line is one though
+  /// here and there it is a step; where they do not, those that touch a crease are kept.
   static constexpr unsigned kSmallestStep = 8;
   /// Where two surfaces meet in a groove there is no step, though a steep one leaves the other's
   /// plane by more than depthTolerance within a pixel. Where one ends before another their planes

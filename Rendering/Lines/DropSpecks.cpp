@@ -82,7 +82,7 @@ bool isAtCrease(const SurfaceLayers& layers, const std::vector<CreaseRow>& cross
         row.begin(), row.end(), edge.column - 1,
         [](const CreaseCrossing& crossing, int column) { return crossing.column < column; });
     for (auto at = first; at != row.end() && at->column <= edge.column + 1; ++at)
-      if (layers.instance[at->index] == instance) return true;
+      if (!at->isStep && layers.instance[at->index] == instance) return true;
     return false;
   };
   const int y = static_cast<int>(edge.index) / layers.width;
@@ -95,8 +95,8 @@ bool isAtCrease(const SurfaceLayers& layers, const std::vector<CreaseRow>& cross
 
 }  // namespace
 
-void dropSpecks(const SurfaceLayers& layers, const std::vector<CreaseRow>& crossings,
-                std::vector<EdgeRow>& edges)
+void dropSpecks(const SurfaceLayers& layers, std::vector<CreaseRow>& crossings,
+                std::vector<EdgeRow>& edges, StepGrid& steps)
 {
   std::size_t count = 0;
   for (const EdgeRow& row : edges)
@@ -115,19 +115,28 @@ void dropSpecks(const SurfaceLayers& layers, const std::vector<CreaseRow>& cross
   std::size_t number = 0;
   for (const EdgeRow& row : edges)
     for (const EdgePoint& edge : row.points) {
-      if (components.sizeAt(number) < ImageOutline::kSmallestStep &&
+      if (components.sizeAt(number) < ImageOutline::kSmallestStep && !edge.isBent &&
           isAtCrease(layers, crossings, edge))
         components.grow(number, ImageOutline::kSmallestStep);
       ++number;
     }
   number = 0;
   for (EdgeRow& row : edges) {
-    const auto isSpeck = [&](const EdgePoint&) {
-      return components.sizeAt(number++) < ImageOutline::kSmallestStep;
+    const auto isSpeck = [&](const EdgePoint& edge) {
+      const bool result = components.sizeAt(number++) < ImageOutline::kSmallestStep;
+      if (result) steps.unite(edge.index);
+      return result;
     };
     row.points.erase(std::remove_if(row.points.begin(), row.points.end(), isSpeck),
                      row.points.end());
   }
+  const auto isNone = [&](const CreaseCrossing& crossing) {
+    return crossing.isStep && !steps.isUnited(crossing.index) &&
+           !steps.isUnited(layers.indexOf(crossing.neighbour.x, crossing.neighbour.y));
+  };
+  for (CreaseRow& row : crossings)
+    for (std::vector<CreaseCrossing>* some : {&row.toRight, &row.toAbove})
+      some->erase(std::remove_if(some->begin(), some->end(), isNone), some->end());
 }
 
 }  // namespace limn

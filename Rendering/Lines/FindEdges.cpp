@@ -117,8 +117,12 @@ bool EdgeFinder::isConvolved(const Pixel& first, const Pixel& second) const
 /// Of two pixels of one instance.
 bool EdgeFinder::isStep(const Pixel& first, const Pixel& second) const
 {
-  if (settings_[first.instance].detector != OutlineDetector::kPlane)
-    return isConvolved(first, second);
+  return isByPlanes(first) ? isPlaneStep(first, second) : isConvolved(first, second);
+}
+
+/// OutlineDetector::kPlane.
+bool EdgeFinder::isPlaneStep(const Pixel& first, const Pixel& second) const
+{
   const PlaneDistances distances(first.layer, second.layer);
   return distances.areStep(tolerance(first, second)) && !isGroove(first, second, distances);
 }
@@ -152,7 +156,7 @@ bool EdgeFinder::isBefore(const Pixel& first, const Pixel& second) const
 {
   const std::uint32_t ia = first.instance, ib = second.instance;
   const SurfacePatch &la = first.layer, &lb = second.layer;
-  const bool isPlain = ia == ib && settings_[ia].detector != OutlineDetector::kPlane;
+  const bool isByDepth = ia == ib && settings_[ia].detector != OutlineDetector::kPlane;
   const PlaneDistances distances(la, lb);
   const float ofFirst = absolute(distances.ofFirst), ofSecond = absolute(distances.ofSecond);
   const float off = larger(ofFirst, ofSecond);
@@ -162,7 +166,7 @@ bool EdgeFinder::isBefore(const Pixel& first, const Pixel& second) const
     // They touch: that which has lines, or was there first.
     return isOutlined(ia) != isOutlined(ib) ? isOutlined(ia) : ia < ib;
   }
-  if (isPlain || ofFirst == ofSecond) {
+  if (isByDepth || ofFirst == ofSecond) {
     if (la.point.position.z != lb.point.position.z)
       return la.point.position.z > lb.point.position.z;
     return first.index < second.index;
@@ -181,19 +185,31 @@ float EdgeFinder::depthAt(int x, int y) const
              : frame.clear.depth;
 }
 
-float EdgeFinder::shareOf(const Pixel& pixel, int x, int y) const
+EdgeFinder::Neighbour EdgeFinder::neighbourAt(const Pixel& pixel, int x, int y) const
 {
-  if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height) return 1.0f;
+  if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height) return {1.0f, true, false};
   const Pixel other = pixelAt(x, y);
-  if (other.instance == kNobody) return depthAt(x, y) < depthAt(pixel.x, pixel.y) ? 1.0f : 0.0f;
-  if (other.instance == pixel.instance && !isStep(pixel, other)) return shareShown(other);
-  return isBefore(pixel, other) ? 0.0f : 1.0f;
+  if (other.instance == kNobody)
+    return {depthAt(x, y) < depthAt(pixel.x, pixel.y) ? 1.0f : 0.0f, true, false};
+  const bool isSame = other.instance == pixel.instance;
+  const bool isEdge = !isSame || isStep(pixel, other);
+  // What convolutions find may be within a surface.
+  const bool isOther = !isSame || (isByPlanes(pixel) ? isEdge : isPlaneStep(pixel, other));
+  if (!isEdge) return {shareShown(other), isOther, false};
+  return {isBefore(pixel, other) ? 0.0f : 1.0f, isOther, isSame};
 }
 
-void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges) const
+void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) const
 {
-  const auto share = [&](int dx, int dy) { return shareOf(pixel, pixel.x + dx, pixel.y + dy); };
-  const float right = share(1, 0), left = share(-1, 0), above = share(0, 1), below = share(0, -1);
+  const auto at = [&](int dx, int dy) { return neighbourAt(pixel, pixel.x + dx, pixel.y + dy); };
+  const auto share = [&](int dx, int dy) { return at(dx, dy).share; };
+  const Neighbour toRight = at(1, 0), toLeft = at(-1, 0), over = at(0, 1), under = at(0, -1);
+  const auto sideIf = [](const Neighbour& neighbour, unsigned side) {
+    return neighbour.isOther ? side : 0u;
+  };
+  steps.part(pixel.index, sideIf(toRight, StepGrid::kRight) | sideIf(toLeft, StepGrid::kLeft) |
+                              sideIf(over, StepGrid::kAbove) | sideIf(under, StepGrid::kBelow));
+  const float right = toRight.share, left = toLeft.share, above = over.share, below = under.share;
   const float own = shareShown(pixel);
   const bool isCut = own < 1.0f;
   if (!isCut && right > 0.0f && left > 0.0f && above > 0.0f && below > 0.0f) return;
@@ -206,9 +222,13 @@ void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges) const
       kSqrt2 * (above - below) + ((rightAbove + leftAbove) - (rightBelow + leftBelow))};
   const float length = std::sqrt(inwards.x * inwards.x + inwards.y * inwards.y);
   const Vec2f centre = {static_cast<float>(pixel.x) + 0.5f, static_cast<float>(pixel.y) + 0.5f};
-  EdgePoint edge = {
-      centre,         {0.0f, 0.0f},       pixel.x,    static_cast<std::uint32_t>(pixel.index),
-      pixel.instance, toleranceOf(pixel), pixel.layer};
+  EdgePoint edge = {centre,         {0.0f, 0.0f}, pixel.x, static_cast<std::uint32_t>(pixel.index),
+                    pixel.instance, true};
+  const auto bendsTo = [&](const Neighbour& neighbour, int dx, int dy) {
+    return !neighbour.isStep || isBent(pixel, pixelAt(pixel.x + dx, pixel.y + dy));
+  };
+  edge.isBent = bendsTo(toRight, 1, 0) && bendsTo(toLeft, -1, 0) && bendsTo(over, 0, 1) &&
+                bendsTo(under, 0, -1);
   if (length > 0.0f) {
     edge.normal = {-inwards.x / length, -inwards.y / length};
     float distance = 1.0f;
@@ -298,23 +318,30 @@ void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
   const Settings& settings = settings_[pixel.instance];
   const bool isCrease = isBent(pixel, other);
   const bool isIdBorder = settings.hasIds && layers_.id[pixel.index] != layers_.id[other.index];
-  if (!(isCrease || isIdBorder) || isStep(pixel, other)) return;
+  if (!isCrease && !isIdBorder) return;
   found.push_back({isCrease ? creasePlace(first, second)
                             : placeOfIdBorder(layers_, {pixel.x, pixel.y, x != pixel.x}),
-                   pixel.x, static_cast<std::uint32_t>(pixel.index), first, second});
+                   pixel.x,
+                   static_cast<std::uint32_t>(pixel.index),
+                   {x, y},
+                   isStep(pixel, other)});
 }
 
-void EdgeFinder::look(int x, int y, unsigned marks, EdgeRow& edges, CreaseRow& creases) const
+void EdgeFinder::look(PixelPlace place, unsigned marks, EdgeRow& edges, CreaseRow& creases,
+                      StepGrid& steps) const
 {
+  const auto [x, y] = place;
   const Pixel pixel = pixelAt(x, y);
-  if ((marks & kMayHaveEdge) != 0) addEdge(pixel, edges);
+  if ((marks & kMayHaveEdge) != 0) addEdge(pixel, edges, steps);
   if ((marks & kMayCreaseRight) != 0) addCrossing(pixel, x + 1, y, creases.toRight);
   if ((marks & kMayCreaseAbove) != 0) addCrossing(pixel, x, y + 1, creases.toAbove);
 }
 
-void EdgeFinder::find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRow& creases) const
+void EdgeFinder::find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRow& creases,
+                      StepGrid& steps) const
 {
   const auto count = static_cast<std::size_t>(pass_.touched.x1 - pass_.touched.x0);
+  steps.clearRow(y, pass_.touched.x0, pass_.touched.x1);
   for (std::size_t i = 0; i < count;) {
     std::uint64_t eight;
     std::memcpy(&eight, marks + i, sizeof eight);
@@ -323,57 +350,8 @@ void EdgeFinder::find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRo
       continue;
     }
     for (const std::size_t end = i + sizeof eight; i < end; ++i)
-      if (marks[i] != 0) look(pass_.touched.x0 + static_cast<int>(i), y, marks[i], edges, creases);
-  }
-}
-
-namespace {
-
-const CreaseCrossing* crossingAt(const std::vector<CreaseCrossing>& crossings, int column)
-{
-  const auto found =
-      std::lower_bound(crossings.begin(), crossings.end(), column,
-                       [](const CreaseCrossing& one, int x) { return one.column < x; });
-  return found != crossings.end() && found->column == column ? &*found : nullptr;
-}
-
-}  // namespace
-
-void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const CreaseRow& above,
-                   CreaseRow& result)
-{
-  if (row.toRight.empty() && above.toRight.empty() && row.toAbove.empty()) return;
-  std::vector<int> columns;
-  for (const auto* crossings : {&row.toRight, &above.toRight, &row.toAbove})
-    for (const CreaseCrossing& crossing : *crossings)
-      columns.push_back(crossing.column);
-  for (const CreaseCrossing& crossing : row.toAbove)
-    if (crossing.column > 0) columns.push_back(crossing.column - 1);
-  std::sort(columns.begin(), columns.end());
-  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
-  for (const int x : columns) {
-    const CreaseCrossing* const sides[] = {crossingAt(row.toRight, x), crossingAt(row.toAbove, x),
-                                           crossingAt(row.toAbove, x + 1),
-                                           crossingAt(above.toRight, x)};
-    const CreaseCrossing* met[4];
-    int count = 0;
-    for (const CreaseCrossing* side : sides)
-      if (side != nullptr &&
-          (count == 0 || layers.instance[side->index] == layers.instance[met[0]->index]))
-        met[count++] = side;
-    if (count == 0) continue;
-    const std::uint32_t index = met[0]->index;
-    const SurfacePatch &layer = met[0]->layer, &beyond = met[0]->beyond;
-    if (count <= 2) {
-      result.segments.push_back({met[0]->place, met[count - 1]->place, x, index, layer, beyond});
-      continue;
-    }
-    Vec2f middle = {0.0f, 0.0f};
-    for (int i = 0; i < count; ++i)
-      middle = middle + met[i]->place;
-    middle = middle * (1.0f / static_cast<float>(count));
-    for (int i = 0; i < count; ++i)
-      result.segments.push_back({middle, met[i]->place, x, index, layer, beyond});
+      if (marks[i] != 0)
+        look({pass_.touched.x0 + static_cast<int>(i), y}, marks[i], edges, creases, steps);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "Rendering/Lines/CompareNeighbours.h"
 #include "Rendering/Lines/ImageOutline.h"
+#include "Rendering/Lines/StepGrid.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +19,7 @@ struct EdgePoint {
   int column;
   std::uint32_t index;  ///< of the pixel
   std::uint32_t instance;
-  float tolerance;     ///< stepTolerance() there
-  SurfacePatch layer;  ///< that it borders
+  bool isBent;  ///< where steps part it from pixels beside it, normals differ as at creases
 };
 /// Of one row of pixels, by columns.
 struct EdgeRow {
@@ -31,14 +31,15 @@ struct EdgeRow {
 struct CreaseCrossing {
   Vec2f place;
   int column;
-  std::uint32_t index;         ///< of the pixel
-  SurfacePatch layer, beyond;  ///< the pixel's and the neighbour's
+  std::uint32_t index;   ///< of the pixel
+  PixelPlace neighbour;  ///< that pixel
+  bool isStep;           ///< and no crease, unless the step is a speck
 };
 struct CreaseSegment {
   Vec2f from, to;  ///< may be one place
   int column;
-  std::uint32_t index;         ///< of a pixel at its side
-  SurfacePatch layer, beyond;  ///< that pixel's and that of one at its other side
+  std::uint32_t index;        ///< of a pixel at its side
+  PixelPlace beside, beyond;  ///< that pixel, and one at its other side
 };
 /// Crossings that leave a row of pixels, and segments between it and the row above.
 struct CreaseRow {
@@ -53,9 +54,15 @@ class EdgeFinder {
 
   /// For NeighbourRows.
   const NeighbourBounds& bounds() const { return bounds_; }
-  /// The edges that a row's pixels own, and the crossings of creases that leave them: of the
-  /// pixels that are marked, from the first touched on.
-  void find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRow& creases) const;
+  /// The edges that a row's pixels own, the crossings of creases that leave them, and what parts
+  /// them from others: of the pixels that are marked, from the first touched on.
+  void find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRow& creases,
+            StepGrid& steps) const;
+  /// Whether an edge between two pixels next to each other, which show instances, is the first's.
+  bool endsBefore(PixelPlace first, PixelPlace second) const
+  {
+    return isBefore(pixelAt(first.x, first.y), pixelAt(second.x, second.y));
+  }
 
  private:
   struct Settings {
@@ -74,10 +81,19 @@ class EdgeFinder {
 
   Pixel pixelAt(int x, int y) const;
   bool isOutlined(std::uint32_t instance) const { return settings_[instance].isOutlined; }
-  /// How much of `other` counts as the surface that `pixel` shows: 1 for what lies before it.
-  float shareOf(const Pixel& pixel, int x, int y) const;
+  struct Neighbour {
+    float share;   ///< that counts as the surface that the pixel shows: 1 for what lies before it
+    bool isOther;  ///< another surface, or nobody
+    bool isStep;   ///< of the pixel's instance, by its detector
+  };
+  Neighbour neighbourAt(const Pixel& pixel, int x, int y) const;
   float depthAt(int x, int y) const;
+  bool isByPlanes(const Pixel& pixel) const
+  {
+    return settings_[pixel.instance].detector == OutlineDetector::kPlane;
+  }
   bool isStep(const Pixel& first, const Pixel& second) const;
+  bool isPlaneStep(const Pixel& first, const Pixel& second) const;
   bool isGroove(const Pixel& first, const Pixel& second, const PlaneDistances& distances) const;
   Vec3f towardEye(const SurfacePatch& first, const SurfacePatch& second) const;
   bool isConvolved(const Pixel& first, const Pixel& second) const;
@@ -93,10 +109,11 @@ class EdgeFinder {
   /// Of its samples, how many show its layer.
   float shareShown(const Pixel& pixel) const;
   float toleranceOf(const Pixel& pixel) const;
-  void addEdge(const Pixel& pixel, EdgeRow& edges) const;
+  void addEdge(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) const;
   Vec2f creasePlace(const SurfacePatch& first, const SurfacePatch& second) const;
   void addCrossing(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;
-  void look(int x, int y, unsigned marks, EdgeRow& edges, CreaseRow& creases) const;
+  void look(PixelPlace place, unsigned marks, EdgeRow& edges, CreaseRow& creases,
+            StepGrid& steps) const;
 
   const OutlinePass& pass_;
   const SurfaceLayers& layers_;
@@ -104,9 +121,5 @@ class EdgeFinder {
   std::vector<Settings> settings_;  ///< by instance
   NeighbourBounds bounds_;
 };
-
-/// Joins the crossings on the sides of the squares between the centres of two rows' pixels.
-void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const CreaseRow& above,
-                   CreaseRow& result);
 
 }  // namespace limn

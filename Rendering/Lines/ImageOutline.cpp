@@ -5,6 +5,7 @@
 #include "Rendering/Base/Executor.h"
 #include "Rendering/Lines/DropSpecks.h"
 #include "Rendering/Lines/FindEdges.h"
+#include "Rendering/Lines/JoinCrossings.h"
 #include "Rendering/Lines/MeasureLines.h"
 #include "Rendering/Lines/PaintLayer.h"
 
@@ -34,9 +35,12 @@ void forEachBand(const OutlinePass& pass, const Body& body)
 struct LineRows {
   std::vector<EdgeRow> edges;
   std::vector<CreaseRow> crossings, creases;
+  StepGrid steps;
 
-  void begin(std::size_t rows)
+  void begin(const SurfaceLayers& layers)
   {
+    const auto rows = static_cast<std::size_t>(layers.height);
+    steps.begin(layers);
     edges.resize(rows);
     crossings.resize(rows);
     creases.resize(rows);
@@ -126,16 +130,17 @@ void drawImageOutlines(const OutlinePass& pass)
   const SurfaceLayers& layers = pass.layers;
   const EdgeFinder finder(pass);
   thread_local LineRows memory;
-  memory.begin(static_cast<std::size_t>(layers.height));
+  memory.begin(layers);
   std::vector<EdgeRow>& edges = memory.edges;
   std::vector<CreaseRow>&crossings = memory.crossings, &creases = memory.creases;
+  StepGrid& steps = memory.steps;
   forEachBand(pass, [&](int first, int end) {
     NeighbourRows neighbours(layers, finder.bounds(), pass.scene.samples, pass.touched);
     for (int y = first; y < end; ++y)
       finder.find(y, neighbours.marksOf(y), edges[static_cast<std::size_t>(y)],
-                  crossings[static_cast<std::size_t>(y)]);
+                  crossings[static_cast<std::size_t>(y)], steps);
   });
-  dropSpecks(layers, crossings, edges);
+  dropSpecks(layers, crossings, edges, steps);
   forEachBand(pass, [&](int first, int end) {
     const int from = first == pass.touched.y0 ? std::max(first - 1, 0) : first;
     for (int y = from; y < std::min(end, layers.height - 1); ++y)
@@ -157,10 +162,10 @@ void drawImageOutlines(const OutlinePass& pass)
         for (const CreaseSegment& crease : creases[static_cast<std::size_t>(row)].segments)
           near.add(crease.column, reach);
       }
-      LineMeasure measure(pass, edges, creases, y, reach);
+      LineMeasure measure(pass, {finder, edges, creases, steps}, y, reach);
       near.forEach([&](int x) {
-        float share = measure.shareAt(x);
-        if (!layers.halo.empty()) share *= 1.0f - layers.halo[layers.indexOf(x, y)];
+        const float share = measure.shareAt(x), behind = measure.shareBehindAt(x);
+        if (behind > 0.0f) paintLineBehind(pass, x, y, behind);
         if (share > 0.0f) paintLine(pass, x, y, share);
       });
     }

@@ -40,22 +40,27 @@ int reachOf(const Style& style)
 
 struct LineMeasure::Pixel {
   int x, y, reach;
+  PixelPlace shown;  ///< shows the surface: this pixel, or one next to it
   std::size_t index;
   std::uint32_t instance;
   Vec2f centre;
   const Style* style;
-  SurfacePatch layer;
-  float tolerance, own;
+  float own;
 };
 
-LineMeasure::LineMeasure(const OutlinePass& pass, const std::vector<EdgeRow>& edges,
-                         const std::vector<CreaseRow>& creases, int y, int reach)
-    : scene_(pass.scene), layers_(pass.layers), y_(y), reach_(reach)
+LineMeasure::LineMeasure(const OutlinePass& pass, const FoundLines& lines, int y, int reach)
+    : scene_(pass.scene),
+      layers_(pass.layers),
+      finder_(lines.finder),
+      steps_(lines.steps),
+      y_(y),
+      reach_(reach)
 {
   const int end = std::min(y + reach + 1, layers_.height);
   for (int row = std::max(y - reach, 0); row < end; ++row) {
-    const std::vector<EdgePoint>& points = edges[static_cast<std::size_t>(row)].points;
-    const std::vector<CreaseSegment>& segments = creases[static_cast<std::size_t>(row)].segments;
+    const std::vector<EdgePoint>& points = lines.edges[static_cast<std::size_t>(row)].points;
+    const std::vector<CreaseSegment>& segments =
+        lines.creases[static_cast<std::size_t>(row)].segments;
     if (points.empty() && segments.empty()) continue;
     rows_.push_back({row, points.data(), points.data() + points.size(), segments.data(),
                      segments.data() + segments.size()});
@@ -72,22 +77,6 @@ void LineMeasure::moveTo(int x)
   }
 }
 
-/// Whether a pixel of the same instance near by shows the surface that this one shows.
-bool LineMeasure::areJoined(const Pixel& pixel, const SurfacePatch& there, float tolerance) const
-{
-  const SurfacePatch& here = pixel.layer;
-  const float x = absolute(here.x - there.x), y = absolute(here.y - there.y);
-  const float larger = pixel.tolerance < tolerance ? tolerance : pixel.tolerance;
-  return !PlaneDistances(here, there).areStep(larger * (1.0f + (x < y ? y : x)));
-}
-bool LineMeasure::areJoined(const Pixel& pixel, const CreaseSegment& segment) const
-{
-  const auto areLayers = [&](const SurfacePatch& there) {
-    return areJoined(pixel, there, stepTolerance(*pixel.style, there.point));
-  };
-  return areLayers(segment.layer) || areLayers(segment.beyond);
-}
-
 void LineMeasure::findEdges(const Pixel& pixel)
 {
   near_.clear();
@@ -97,29 +86,39 @@ void LineMeasure::findEdges(const Pixel& pixel)
          edge != row.lastEdge && edge->column <= pixel.x + pixel.reach; ++edge) {
       if (edge->column < pixel.x - pixel.reach || edge->instance != pixel.instance) continue;
       const Vec2f way = edge->foot - pixel.centre;
-      if (!(dot(edge->normal, way) < -kOutside) && areJoined(pixel, edge->layer, edge->tolerance))
-        near_.push_back({edge, way});
+      if (!(dot(edge->normal, way) < -kOutside))
+        near_.push_back({edge, {edge->column, row.y}, way});
     }
   }
+}
+
+const LineMeasure::NearEdge* LineMeasure::nearestOf(const Pixel& pixel, bool isJoined) const
+{
+  const NearEdge* nearest = nullptr;
+  float squared = 0.0f;
+  for (const NearEdge& edge : near_) {
+    const float other = dot(edge.way, edge.way);
+    if (nearest != nullptr && !(other < squared)) continue;
+    if (isJoined && !steps_.areJoined(pixel.shown, edge.place)) continue;
+    nearest = &edge;
+    squared = other;
+  }
+  return nearest;
 }
 
 float LineMeasure::borderShare(const Pixel& pixel)
 {
   findEdges(pixel);
-  if (near_.empty()) return 0.0f;
-  const NearEdge* nearest = &near_[0];
-  float squared = dot(nearest->way, nearest->way);
-  for (const NearEdge& edge : near_) {
-    const float other = dot(edge.way, edge.way);
-    if (!(other < squared)) continue;
-    nearest = &edge;
-    squared = other;
-  }
+  // Where the nearest of all is joined there is no other surface's between.
+  const NearEdge* nearest = nearestOf(pixel, false);
+  const bool areAlone = nearest != nullptr && steps_.areJoined(pixel.shown, nearest->place);
+  if (!areAlone) nearest = nearestOf(pixel, true);
+  if (nearest == nullptr) return 0.0f;
   const Vec2f normal = nearest->edge->normal, way = nearest->way;
   if (normal == Vec2f{0.0f, 0.0f}) return nearest->edge->index == pixel.index ? pixel.own : 0.0f;
 
   const auto along = [&](Vec2f to) { return absolute(normal.x * to.y - normal.y * to.x); };
-  float distance = std::sqrt(squared);
+  float distance = std::sqrt(dot(way, way));
   Vec2f across = normal;
   if (along(way) > kBeside) {
     across = way * (1.0f / distance);
@@ -130,6 +129,7 @@ float LineMeasure::borderShare(const Pixel& pixel)
       const float weight = kSpan - along(near.way);
       if (!(weight > 0.0f) || !(dot(edge.normal, normal) >= kSameWay)) continue;
       if (!(absolute(dot(normal, edge.foot - nearest->edge->foot)) <= kSameBorder)) continue;
+      if (!areAlone && !steps_.areJoined(pixel.shown, near.place)) continue;
       // The mean of both normals: exact to the second order on a circle.
       sum = sum + weight * (0.5f * (dot(edge.normal, near.way) + dot(normal, near.way)));
       weights = weights + weight;
@@ -140,11 +140,11 @@ float LineMeasure::borderShare(const Pixel& pixel)
   return share > 0.0f ? share : 0.0f;
 }
 
-float LineMeasure::creaseShare(const Pixel& pixel) const
+std::optional<LineMeasure::NearCrease> LineMeasure::nearestCrease(const Pixel& pixel,
+                                                                  bool isJoined) const
 {
-  bool isNear = false;
+  std::optional<NearCrease> nearest;
   float squared = 0.0f;
-  Vec2f nearest = {0.0f, 0.0f}, direction = {0.0f, 0.0f};
   for (const NearRow& row : rows_) {
     if (row.y < pixel.y - pixel.reach || row.y > pixel.y + pixel.reach) continue;
     for (const CreaseSegment* segment = row.segment;
@@ -157,18 +157,31 @@ float LineMeasure::creaseShare(const Pixel& pixel) const
       const float t = length > 0.0f ? -(dot(from, side) / length) : 0.0f;
       const float bounded = t > 0.0f ? (t < 1.0f ? t : 1.0f) : 0.0f;
       const Vec2f way = from + side * bounded;
-      if ((isNear && !(dot(way, way) < squared)) || !areJoined(pixel, *segment)) continue;
-      isNear = true;
+      if (nearest && !(dot(way, way) < squared)) continue;
+      if (isJoined && !areJoined(pixel, *segment)) continue;
       squared = dot(way, way);
-      nearest = way;
-      direction = side;
+      nearest = {segment, way};
     }
   }
-  if (!isNear) return 0.0f;
-  const float distance = std::sqrt(squared);
+  return nearest;
+}
+
+bool LineMeasure::areJoined(const Pixel& pixel, const CreaseSegment& segment) const
+{
+  return steps_.areJoined(pixel.shown, segment.beside) ||
+         steps_.areJoined(pixel.shown, segment.beyond);
+}
+
+float LineMeasure::creaseShare(const Pixel& pixel) const
+{
+  std::optional<NearCrease> nearest = nearestCrease(pixel, false);
+  if (nearest && !areJoined(pixel, *nearest->segment)) nearest = nearestCrease(pixel, true);
+  if (!nearest) return 0.0f;
+  const Vec2f way = nearest->way, direction = nearest->segment->to - nearest->segment->from;
+  const float distance = std::sqrt(dot(way, way));
   Vec2f across = {1.0f, 0.0f};
   if (distance > 0.0f)
-    across = nearest * (1.0f / distance);
+    across = way * (1.0f / distance);
   else if (const float length = std::sqrt(dot(direction, direction)); length > 0.0f)
     across = {direction.y / length, -direction.x / length};
   const CutPixel cut(across);
@@ -176,24 +189,84 @@ float LineMeasure::creaseShare(const Pixel& pixel) const
   return cut.areaBelow(half - distance) - cut.areaBelow(-half - distance);
 }
 
-float LineMeasure::shareAt(int x)
+LineMeasure::Pixel LineMeasure::pixelAt(int x, std::uint32_t instance) const
 {
   Pixel pixel;
   pixel.index = layers_.indexOf(x, y_);
-  pixel.instance = layers_.instance[pixel.index];
-  if (pixel.instance == kNobody || !hasImageOutline(scene_.instances[pixel.instance])) return 0.0f;
-  moveTo(x);
-  pixel.style = &scene_.instances[pixel.instance].style;
+  pixel.instance = instance;
+  pixel.style = &scene_.instances[instance].style;
   pixel.x = x;
   pixel.y = y_;
   pixel.reach = reachOf(*pixel.style);
+  pixel.shown = {x, y_};
   pixel.centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y_) + 0.5f};
-  pixel.layer = layers_.patchAt(x, y_);
-  pixel.tolerance = stepTolerance(*pixel.style, pixel.layer.point);
-  pixel.own = static_cast<float>(layers_.countAt(pixel.index)) / static_cast<float>(scene_.samples);
+  pixel.own = 1.0f;
+  return pixel;
+}
+
+float LineMeasure::linesShare(const Pixel& pixel)
+{
   const float border = borderShare(pixel);
   const float crease = creaseShare(pixel) * pixel.own;
   return crease > border ? crease : border;
+}
+
+float LineMeasure::withoutHalo(float share, PixelPlace place) const
+{
+  return layers_.halo.empty() ? share
+                              : share * (1.0f - layers_.halo[layers_.indexOf(place.x, place.y)]);
+}
+
+float LineMeasure::shareAt(int x)
+{
+  const std::size_t index = layers_.indexOf(x, y_);
+  const std::uint32_t instance = layers_.instance[index];
+  if (instance == kNobody || !hasImageOutline(scene_.instances[instance])) return 0.0f;
+  moveTo(x);
+  Pixel pixel = pixelAt(x, instance);
+  pixel.own = static_cast<float>(layers_.countAt(index)) / static_cast<float>(scene_.samples);
+  return withoutHalo(linesShare(pixel), pixel.shown);
+}
+
+/// Where a pixel around shows what this pixel's other samples do: the farthest of those that lie
+/// behind the end of its layer.
+std::optional<PixelPlace> LineMeasure::placeBehind(int x) const
+{
+  const std::size_t index = layers_.indexOf(x, y_);
+  const std::uint32_t wanted = layers_.other[index];
+  // A speck's step parts nothing.
+  if (wanted == layers_.instance[index] && steps_.isUnited(index)) return PixelPlace{x, y_};
+  std::optional<PixelPlace> farthest;
+  float depth = 0.0f;
+  const int x1 = std::min(x + 1, layers_.width - 1), y1 = std::min(y_ + 1, layers_.height - 1);
+  for (int row = std::max(y_ - 1, 0); row <= y1; ++row)
+    for (int column = std::max(x - 1, 0); column <= x1; ++column) {
+      const std::size_t other = layers_.indexOf(column, row);
+      if (layers_.instance[other] != wanted || (farthest && !(layers_.depth[other] > depth)))
+        continue;
+      const bool isJoined =
+          wanted == layers_.instance[index] && steps_.areJoined({x, y_}, {column, row});
+      if (isJoined || !finder_.endsBefore({x, y_}, {column, row})) continue;
+      depth = layers_.depth[other];
+      farthest = PixelPlace{column, row};
+    }
+  return farthest;
+}
+
+float LineMeasure::shareBehindAt(int x)
+{
+  if (layers_.isSingle) return 0.0f;
+  const std::size_t index = layers_.indexOf(x, y_);
+  if (layers_.instance[index] == kNobody) return 0.0f;
+  const int others = layers_.covered[index] - layers_.count[index];
+  if (others == 0 || !hasImageOutline(scene_.instances[layers_.other[index]])) return 0.0f;
+  const std::optional<PixelPlace> shown = placeBehind(x);
+  if (!shown) return 0.0f;
+  moveTo(x);
+  Pixel pixel = pixelAt(x, layers_.other[index]);
+  pixel.shown = *shown;
+  const float part = static_cast<float>(others) / static_cast<float>(scene_.samples);
+  return withoutHalo(linesShare(pixel) * part, *shown);
 }
 
 }  // namespace limn

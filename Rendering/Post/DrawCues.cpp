@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Post/DrawCues.h"
 
-#include "Rendering/Base/ResolveTable.h"
 #include "Rendering/Lines/PaintLayer.h"
 #include "Rendering/Post/DepthMean.h"
 #include "Rendering/Post/EffectPass.h"
@@ -238,20 +237,6 @@ class CueDrawer {
     paintRadiance(radiance.b[place], own.z, cue.haloColor.z);
   }
 
-  /// The mean of the samples that the layer has not.
-  std::uint8_t restOf(std::uint8_t pixel, std::uint8_t own, const SurfaceLayer& layer) const
-  {
-    const int shared = layer.shared, count = layer.count, rest = shared - count;
-    if (pass_.scene.resolve == Resolve::kLinear)
-      return toByte(static_cast<float>(pixel * shared - own * count) / static_cast<float>(rest));
-    const ResolveTable& table = ResolveTable::gamma22();
-    const double sum = static_cast<double>(table.linear(pixel)) * shared -
-                       static_cast<double>(table.linear(own)) * count;
-    const double most = static_cast<double>(table.linear(255)) * rest;
-    return table.byteOfMean(static_cast<std::uint32_t>(sum > 0 ? (sum < most ? sum : most) : 0),
-                            static_cast<std::uint32_t>(rest));
-  }
-
   /// Of the farthest pixel around that is behind this one and shows what its other samples do.
   Cue cueBehind(int x, int y) const
   {
@@ -277,14 +262,15 @@ class CueDrawer {
   {
     const std::size_t index = pass_.layers.indexOf(x, y);
     const SurfaceLayer layer = pass_.layers.at(x, y);
-    const int rest = layer.shared - layer.count, others = layer.covered - layer.count;
+    const int others = layer.covered - layer.count;
     Cue cue = cueBehind(x, y);
     cue.halo = haloShare;
     if (cue.isNone()) return;
     cue.haloColor = pass_.scene.instances[pass_.layers.instance[index]].style.cues.halo.color;
+    const RestOfPixel rest = {layer.count, layer.shared, pass_.scene.resolve};
     const std::ptrdiff_t place = y * pass_.frame.rowStride + x;
     const auto paintByte = [&](std::uint8_t& pixel, std::uint8_t own, float haloed) {
-      const std::uint8_t from = restOf(pixel, own, layer);
+      const std::uint8_t from = rest.of(pixel, own);
       const std::uint8_t to = toByte(cue.of(static_cast<float>(from), 255.0f, haloed));
       pixel = changed({pixel, from, to}, static_cast<double>(others), layer.shared,
                       pass_.scene.resolve);
@@ -295,11 +281,9 @@ class CueDrawer {
     paintByte(pixel.b, layer.color.b, cue.haloColor.z);
     const RadianceView& radiance = pass_.frame.radiance;
     if (radiance.empty()) return;
-    const auto shared = static_cast<float>(layer.shared);
-    const float part = static_cast<float>(others) / shared;
+    const float part = static_cast<float>(others) / static_cast<float>(layer.shared);
     const auto paintRadiance = [&](float& value, float own, float haloed) {
-      const float sum = value * shared - own * static_cast<float>(layer.count);
-      const float old = (sum > 0.0f ? sum : 0.0f) / static_cast<float>(rest);
+      const float old = rest.ofRadiance(value, own);
       value = boundedRadiance(value + (cue.of(old, 1.0f, haloed) - old) * part);
     };
     const Vec3f own = pass_.layers.radiance[index];

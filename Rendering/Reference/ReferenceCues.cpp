@@ -354,7 +354,7 @@ class Cues {
   void paintRest(Pixel p) const
   {
     const Layer& l = layer(p);
-    const int rest = l.shared - l.count, others = l.covered - l.count;
+    const int others = l.covered - l.count;
     if (others == 0) return;
     Cue cue = cueBehind(p);
     cue.halo = haloBehind(p);
@@ -363,7 +363,7 @@ class Cues {
     const std::ptrdiff_t at = p.y * frame_.rowStride + p.x;
     Rgba8& pixel = frame_.color[at];
     const auto paintByte = [&](std::uint8_t& channel, std::uint8_t own, float halo) {
-      const std::uint8_t from = restOf(channel, own, l);
+      const std::uint8_t from = meanOfRest(channel, own, l, scene_.resolve);
       const std::uint8_t to = toByte(cued(static_cast<float>(from), 255.0f, cue, halo));
       channel = changed(channel, {from, to, static_cast<double>(others)}, l);
     };
@@ -373,8 +373,7 @@ class Cues {
     if (frame_.radiance.empty()) return;
     const auto shared = static_cast<float>(l.shared);
     const auto mix = [&](float& value, float own, float halo) {
-      const float old = std::max(0.0f, value * shared - own * static_cast<float>(l.count)) /
-                        static_cast<float>(rest);
+      const float old = meanOfRest(value, own, l);
       const float change = cued(old, 1.0f, cue, halo) - old;
       value =
           std::clamp(value + change * (static_cast<float>(others) / shared), 0.0f, kMaxRadiance);
@@ -396,20 +395,6 @@ class Cues {
           farthest = r;
       }
     return index(farthest) == index(p) ? Cue{} : cues_[index(farthest)];
-  }
-
-  /// The mean of the samples that the layer has not.
-  std::uint8_t restOf(std::uint8_t pixel, std::uint8_t own, const Layer& l) const
-  {
-    const int rest = l.shared - l.count;
-    if (scene_.resolve == Resolve::kLinear)
-      return toByte(static_cast<float>(pixel * l.shared - own * l.count) /
-                    static_cast<float>(rest));
-    const ResolveTable& table = ResolveTable::gamma22();
-    const double all = static_cast<double>(table.linear(pixel)) * l.shared;
-    const double sum = std::clamp(all - static_cast<double>(table.linear(own)) * l.count, 0.0,
-                                  static_cast<double>(table.linear(255)) * rest);
-    return table.byteOfMean(static_cast<std::uint32_t>(sum), static_cast<std::uint32_t>(rest));
   }
 
   void paint(Pixel p)

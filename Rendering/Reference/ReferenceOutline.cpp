@@ -16,6 +16,8 @@ struct Pixel {
   int x, y;
 };
 
+constexpr Pixel kBeside[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
 /// Part of a border, and which way is out.
 struct Edge {
   Vec2f foot, normal;
@@ -57,6 +59,11 @@ float distanceOf(Vec2f n, float area)
   return corner - std::sqrt(2.0f * u * v * (1.0f - area));
 }
 
+std::uint8_t roundedByte(float x)
+{
+  return static_cast<std::uint8_t>(std::nearbyint(std::clamp(x, 0.0f, 255.0f)));
+}
+
 class Outlines {
  public:
   Outlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
@@ -65,6 +72,7 @@ class Outlines {
     edges_.resize(layers.size());
     right_.resize(layers.size());
     above_.resize(layers.size());
+    isUnited_.resize(layers.size());
     segments_.resize(layers.size());
     for (int y = 0; y < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x)
@@ -78,9 +86,11 @@ class Outlines {
   void draw() const
   {
     for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x)
-        if (isOutlined(layer({x, y}).instance))
-          paint({x, y}, shareOfLines({x, y}) * (1.0f - layer({x, y}).halo));
+      for (int x = 0; x < frame_.width; ++x) {
+        const float layers = shareOfLayer({x, y});
+        paintRest({x, y}, shareOfRest({x, y}));
+        paintLayer({x, y}, layers);
+      }
   }
 
  private:
@@ -159,8 +169,12 @@ class Outlines {
         return turns && std::fabs(a - b) > 2.0f * tolerance;
       }
       default:
-        return isStep(layer(p), layer(q), tolerance) && !isGroove(p, q);
+        return arePartedByPlanes(p, q);
     }
+  }
+  bool arePartedByPlanes(Pixel p, Pixel q) const
+  {
+    return isStep(layer(p), layer(q), bothTolerances(p, q)) && !isGroove(p, q);
   }
   /// Both are before the other's plane, and the steeper does not bend where it comes to the other.
   bool isGroove(Pixel p, Pixel q) const
@@ -232,8 +246,7 @@ class Outlines {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
         c[dy + 1][dx + 1] = dx == 0 && dy == 0 ? own(p) : coverage(p, {p.x + dx, p.y + dy});
-    const Pixel beside[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    const bool isBare = std::any_of(std::begin(beside), std::end(beside),
+    const bool isBare = std::any_of(std::begin(kBeside), std::end(kBeside),
                                     [&](Pixel d) { return c[d.y + 1][d.x + 1] == 0; });
     if (own(p) == 1 && !isBare) return;
 
@@ -248,7 +261,7 @@ class Outlines {
     if (own(p) < 1) {
       distance = distanceOf(n, own(p));
     } else {
-      for (const Pixel d : beside) {
+      for (const Pixel d : kBeside) {
         const float half = 0.5f * (n.x * static_cast<float>(d.x) + n.y * static_cast<float>(d.y));
         if (c[d.y + 1][d.x + 1] == 0 && half > 0) distance = std::min(distance, half);
       }
@@ -257,7 +270,9 @@ class Outlines {
   }
 
   /// Takes away edges that are seen in few pixels, none of which touches another instance's, or
-  /// nobody's, or the frame's border, or one from which a crossing leaves.
+  /// nobody's, or the frame's border. They part no pixels, and are creases where normals differ.
+  /// Where these do not, but a crossing leaves the pixel or one that touches it, they are parts of
+  /// its line and stay.
   void dropSpecks()
   {
     std::vector<bool> isSeen(edges_.size(), false);
@@ -269,6 +284,10 @@ class Outlines {
         bool isKept = false;
         for (std::size_t i = 0; i < found.size(); ++i) {
           const Pixel p = found[i];
+          const bool isBent = std::all_of(std::begin(kBeside), std::end(kBeside), [&](Pixel d) {
+            const Pixel q = {p.x + d.x, p.y + d.y};
+            return !isStepTo(p, q) || isCrease(p, q);
+          });
           for (int dy = -1; dy <= 1; ++dy)
             for (int dx = -1; dx <= 1; ++dx) {
               const Pixel q = {p.x + dx, p.y + dy};
@@ -276,22 +295,44 @@ class Outlines {
                 isKept = true;
                 continue;
               }
-              if (right_[index(q)] || above_[index(q)]) isKept = true;
+              if (!isBent && (right_[index(q)] || above_[index(q)])) isKept = true;
               if (isSeen[index(q)] || !edges_[index(q)]) continue;
               isSeen[index(q)] = true;
               found.push_back(q);
             }
         }
         if (isKept || found.size() >= ImageOutline::kSmallestStep) continue;
-        for (const Pixel p : found)
+        for (const Pixel p : found) {
           edges_[index(p)].reset();
+          isUnited_[index(p)] = true;
+        }
+      }
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x) {
+        const Pixel p = {x, y};
+        if (!isOutlined(layer(p).instance)) continue;
+        if (isSpeckTo(p, {x + 1, y})) right_[index(p)] = crossingPlace(p, {x + 1, y});
+        if (isSpeckTo(p, {x, y + 1})) above_[index(p)] = crossingPlace(p, {x, y + 1});
       }
   }
 
-  /// Where there is a crease or a border of ids between p and q.
+  bool isStepTo(Pixel p, Pixel q) const
+  {
+    return isInside(q) && layer(q).instance == layer(p).instance && isEdge(p, q);
+  }
+  bool isSpeckTo(Pixel p, Pixel q) const
+  {
+    return isStepTo(p, q) && (isUnited_[index(p)] || isUnited_[index(q)]);
+  }
+
+  /// Where there is a crease or a border of ids between p and q, and no step.
   std::optional<Vec2f> crossing(Pixel p, Pixel q) const
   {
     if (!isInside(q) || layer(q).instance != layer(p).instance || isEdge(p, q)) return {};
+    return crossingPlace(p, q);
+  }
+  std::optional<Vec2f> crossingPlace(Pixel p, Pixel q) const
+  {
     if (isCrease(p, q)) return creasePlace(p, q);
     if (styleAt(p).imageOutline.ids && layer(p).id != layer(q).id) return idBorderPlace(p, q);
     return {};
@@ -428,43 +469,111 @@ class Outlines {
       segments.push_back({middle, place, owners[0], beyond[0]});
   }
 
-  /// Calls visit(q) for the pixels that may have edges whose line meets p.
+  /// What lines are measured for: a share of a pixel, and a pixel that shows the surface there.
+  struct Target {
+    Pixel pixel, shown;
+    float own;
+  };
+
+  /// Calls visit(q) for the pixels that may have edges whose line meets the target.
   template <class Visit>
-  void around(Pixel p, Visit visit) const
+  void around(const Target& target, Visit visit) const
   {
-    const int reach = static_cast<int>(std::ceil(styleAt(p).outlineWidth)) + 2;
+    const int reach = static_cast<int>(std::ceil(widthAt(target))) + 2;
+    const Pixel p = target.pixel;
     for (int y = p.y - reach; y <= p.y + reach; ++y)
       for (int x = p.x - reach; x <= p.x + reach; ++x)
         if (isInside({x, y})) visit(Pixel{x, y});
   }
+  float widthAt(const Target& target) const { return styleAt(target.shown).outlineWidth; }
+  /// Between p and a pixel beside, above or below it.
+  bool areSideBySide(Pixel p, Pixel q) const
+  {
+    if (layer(p).instance != layer(q).instance) return false;
+    return isUnited_[index(p)] || isUnited_[index(q)] || !arePartedByPlanes(p, q);
+  }
+  /// Whether the straight way from p to q crosses no step, nor another instance. Where it goes over
+  /// a corner it may go round that on either side.
   bool showSame(Pixel p, Pixel q) const
   {
     if (layer(p).instance != layer(q).instance) return false;
-    const Vec2f way = layer(p).place - layer(q).place;
-    const float far = std::max(std::fabs(way.x), std::fabs(way.y));
-    return !isStep(layer(p), layer(q), bothTolerances(p, q) * (1.0f + far));
+    const int dx = q.x - p.x, dy = q.y - p.y, n = std::max(std::abs(dx), std::abs(dy));
+    const auto rounded = [&](int i, int d) {
+      const int halves = (2 * i * std::abs(d) + n) / (2 * n);
+      return d < 0 ? -halves : halves;
+    };
+    Pixel from = p;
+    for (int i = 1; i <= n; ++i) {
+      const Pixel to = {p.x + rounded(i, dx), p.y + rounded(i, dy)};
+      const auto isFreeBy = [&](Pixel corner) {
+        return areSideBySide(from, corner) && areSideBySide(corner, to);
+      };
+      const bool isFree = from.x != to.x && from.y != to.y
+                              ? isFreeBy({to.x, from.y}) || isFreeBy({from.x, to.y})
+                              : areSideBySide(from, to);
+      if (!isFree) return false;
+      from = to;
+    }
+    return true;
   }
 
-  float shareOfLines(Pixel p) const
+  float shareOfLayer(Pixel p) const
   {
-    return std::max(shareOfBorder(p), shareOfCrease(p) * own(p));
+    if (!isOutlined(layer(p).instance)) return 0;
+    return shareOfLines({p, p, own(p)}) * (1.0f - layer(p).halo);
   }
 
-  float shareOfBorder(Pixel p) const
+  /// Of the samples that show other surfaces than the pixel's layer: as much as if that filled the
+  /// pixel which a pixel around shows, the farthest of those that lie behind the layer's end.
+  float shareOfRest(Pixel p) const
   {
-    std::vector<Pixel> found;
-    around(p, [&](Pixel q) {
+    const Layer& l = layer(p);
+    if (l.instance == kNobody || l.covered == l.count || !isOutlined(l.other)) return 0;
+    const auto depth = [&](Pixel q) { return frame_.depth[q.y * frame_.rowStride + q.x]; };
+    std::vector<Pixel> behind;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Pixel q = {p.x + dx, p.y + dy};
+        if (isInside(q) && layer(q).instance == l.other && !showSame(p, q) && ownsEdge(p, q))
+          behind.push_back(q);
+      }
+    // In specks it is the same surface.
+    if (l.other == l.instance && isUnited_[index(p)]) behind = {p};
+    if (behind.empty()) return 0;
+    const Pixel shown = *std::max_element(behind.begin(), behind.end(),
+                                          [&](Pixel u, Pixel v) { return depth(u) < depth(v); });
+    const float part = static_cast<float>(l.covered - l.count) / static_cast<float>(scene_.samples);
+    return shareOfLines({p, shown, 1}) * part * (1.0f - layer(shown).halo);
+  }
+
+  float shareOfLines(const Target& target) const
+  {
+    return std::max(shareOfBorder(target), shareOfCrease(target) * target.own);
+  }
+
+  float shareOfBorder(const Target& target) const
+  {
+    const Pixel p = target.pixel;
+    std::vector<Pixel> found, joined;
+    around(target, [&](Pixel q) {
       const std::optional<Edge>& edge = edges_[index(q)];
-      if (edge && dot2(edge->normal, edge->foot - centre(p)) >= -0.75f && showSame(p, q))
-        found.push_back(q);
+      if (!edge || layer(q).instance != layer(target.shown).instance) return;
+      if (dot2(edge->normal, edge->foot - centre(p)) < -0.75f) return;
+      found.push_back(q);
+      if (showSame(target.shown, q)) joined.push_back(q);
     });
-    if (found.empty()) return 0;
+    if (joined.empty()) return 0;
     const auto way = [&](Pixel q) { return edges_[index(q)]->foot - centre(p); };
-    const Pixel nearest = *std::min_element(found.begin(), found.end(), [&](Pixel a, Pixel b) {
-      return dot2(way(a), way(a)) < dot2(way(b), way(b));
-    });
+    const auto nearestOf = [&](const std::vector<Pixel>& pixels) {
+      return *std::min_element(pixels.begin(), pixels.end(), [&](Pixel a, Pixel b) {
+        return dot2(way(a), way(a)) < dot2(way(b), way(b));
+      });
+    };
+    const Pixel nearest = nearestOf(joined);
+    // If it is the nearest of all, those beside it are of the same border.
+    const std::vector<Pixel>& same = index(nearestOf(found)) == index(nearest) ? found : joined;
     const Vec2f n = edges_[index(nearest)]->normal, to = way(nearest);
-    if (n.x == 0 && n.y == 0) return index(nearest) == index(p) ? own(p) : 0.0f;
+    if (n.x == 0 && n.y == 0) return index(nearest) == index(p) ? target.own : 0.0f;
     const auto along = [&](Vec2f v) { return std::fabs(n.x * v.y - n.y * v.x); };
     float distance = std::sqrt(dot2(to, to));
     Vec2f across = n;
@@ -472,7 +581,7 @@ class Outlines {
       across = to * (1.0f / distance);
     } else {
       float sum = 0, weights = 0;
-      for (const Pixel q : found) {
+      for (const Pixel q : same) {
         const Vec2f other = edges_[index(q)]->normal;
         const float weight = 3.0f - along(way(q));
         if (weight <= 0 || dot2(other, n) < 0.7f) continue;
@@ -483,16 +592,18 @@ class Outlines {
       }
       distance = sum / weights;
     }
-    return std::max(0.0f, own(p) - areaBelow(across, distance - styleAt(p).outlineWidth));
+    return std::max(0.0f, target.own - areaBelow(across, distance - widthAt(target)));
   }
 
-  float shareOfCrease(Pixel p) const
+  float shareOfCrease(const Target& target) const
   {
+    const Pixel p = target.pixel;
     std::optional<Vec2f> nearest;
     Vec2f side = {0, 0};
-    around(p, [&](Pixel q) {
+    around(target, [&](Pixel q) {
       for (const Segment& segment : segments_[index(q)]) {
-        if (!showSame(p, segment.owner) && !showSame(p, segment.beyond)) continue;
+        if (!showSame(target.shown, segment.owner) && !showSame(target.shown, segment.beyond))
+          continue;
         const Vec2f ab = segment.b - segment.a, a = segment.a - centre(p);
         const float length = dot2(ab, ab);
         const float t = length > 0 ? -(dot2(a, ab) / length) : 0.0f;
@@ -510,44 +621,63 @@ class Outlines {
       n = *nearest * (1.0f / distance);
     else if (length > 0)
       n = {side.y / length, -side.x / length};
-    const float half = styleAt(p).outlineWidth * 0.5f;
+    const float half = widthAt(target) * 0.5f;
     return areaBelow(n, half - distance) - areaBelow(n, -half - distance);
   }
 
-  /// As if `share` of the pixel's samples, which show the layer, had the line's colour.
-  void paint(Pixel p, float share) const
+  void paintLayer(Pixel p, float share) const
+  {
+    if (share > 0) paint(p, share, styleAt(p), layer(p).color, layer(p).radiance);
+  }
+  void paintRest(Pixel p, float share) const
   {
     if (!(share > 0)) return;
     const Layer& l = layer(p);
-    const Style& style = styleAt(p);
+    const std::ptrdiff_t at = p.y * frame_.rowStride + p.x;
+    const Rgba8 c = frame_.color[at];
+    const auto rest = [&](std::uint8_t pixel, std::uint8_t of) {
+      return meanOfRest(pixel, of, l, scene_.resolve);
+    };
+    const Rgba8 color = {rest(c.r, l.color.r), rest(c.g, l.color.g), rest(c.b, l.color.b), 255};
+    Vec3f radiance = {0, 0, 0};
+    if (!frame_.radiance.empty())
+      radiance = {meanOfRest(frame_.radiance.r[at], l.radiance.x, l),
+                  meanOfRest(frame_.radiance.g[at], l.radiance.y, l),
+                  meanOfRest(frame_.radiance.b[at], l.radiance.z, l)};
+    paint(p, share, scene_.instances[l.other].style, color, radiance);
+  }
+
+  /// As if `share` of the pixel's samples, which have the colour `from`, had the line's.
+  void paint(Pixel p, float share, const Style& style, Rgba8 from, Vec3f fromRadiance) const
+  {
+    const Layer& l = layer(p);
     const std::ptrdiff_t at = p.y * frame_.rowStride + p.x;
     Rgba8& c = frame_.color[at];
-    c.r = paintByte(c.r, l.color.r, style.outlineColor.x, p, share);
-    c.g = paintByte(c.g, l.color.g, style.outlineColor.y, p, share);
-    c.b = paintByte(c.b, l.color.b, style.outlineColor.z, p, share);
+    const auto mix = [&](std::uint8_t old, std::uint8_t own, float line) {
+      const float f = own;
+      const std::uint8_t to = roundedByte(f + (line * 255.0f - f) * style.outlineOpacity);
+      return paintByte(old, own, to, double{share} * scene_.samples, l.shared);
+    };
+    c.r = mix(c.r, from.r, style.outlineColor.x);
+    c.g = mix(c.g, from.g, style.outlineColor.y);
+    c.b = mix(c.b, from.b, style.outlineColor.z);
     if (frame_.radiance.empty()) return;
     const float part = share * static_cast<float>(scene_.samples) * style.outlineOpacity /
                        static_cast<float>(l.shared);
-    const auto add = [&](float& value, float line, float from) {
-      value = std::clamp(value + (line - from) * part, 0.0f, kMaxRadiance);
+    const auto add = [&](float& value, float line, float own) {
+      value = std::clamp(value + (line - own) * part, 0.0f, kMaxRadiance);
     };
-    add(frame_.radiance.r[at], style.outlineColor.x, l.radiance.x);
-    add(frame_.radiance.g[at], style.outlineColor.y, l.radiance.y);
-    add(frame_.radiance.b[at], style.outlineColor.z, l.radiance.z);
+    add(frame_.radiance.r[at], style.outlineColor.x, fromRadiance.x);
+    add(frame_.radiance.g[at], style.outlineColor.y, fromRadiance.y);
+    add(frame_.radiance.b[at], style.outlineColor.z, fromRadiance.z);
   }
 
-  std::uint8_t paintByte(std::uint8_t old, std::uint8_t from, float line, Pixel p,
-                         float share) const
+  /// `old` is the mean of `shared` samples.
+  std::uint8_t paintByte(std::uint8_t old, std::uint8_t from, std::uint8_t to, double samples,
+                         int shared) const
   {
-    const auto rounded = [](float x) {
-      return static_cast<std::uint8_t>(std::nearbyint(std::clamp(x, 0.0f, 255.0f)));
-    };
-    const float f = from;
-    const std::uint8_t to = rounded(f + (line * 255.0f - f) * styleAt(p).outlineOpacity);
-    const double samples = double{share} * scene_.samples;
-    const int shared = layer(p).shared;
     if (scene_.resolve == Resolve::kLinear)
-      return rounded(static_cast<float>(old + samples * (to - from) / shared));
+      return roundedByte(static_cast<float>(old + samples * (to - from) / shared));
     const ResolveTable& table = ResolveTable::gamma22();
     const auto linear = [&](std::uint8_t byte) { return static_cast<double>(table.linear(byte)); };
     const double change = std::nearbyint(samples * (linear(to) - linear(from)));
@@ -560,6 +690,7 @@ class Outlines {
   const std::vector<Layer>& layers_;
   std::vector<std::optional<Edge>> edges_;           ///< by the pixel that owns it
   std::vector<std::optional<Vec2f>> right_, above_;  ///< creases towards these neighbours
+  std::vector<bool> isUnited_;                       ///< had an edge that was a speck's
   std::vector<std::vector<Segment>> segments_;       ///< by the lower left pixel of its square
 };
 
@@ -586,6 +717,25 @@ float toleranceAt(const Scene& scene, const Layer& p)
 {
   const float pixels = scene.instances[p.instance].style.imageOutline.depthTolerance;
   return pixels * p.point.pixel + p.point.rounding;
+}
+
+std::uint8_t meanOfRest(std::uint8_t pixel, std::uint8_t own, const Layer& l, Resolve resolve)
+{
+  const int rest = l.shared - l.count;
+  if (resolve == Resolve::kLinear)
+    return roundedByte(static_cast<float>(pixel * l.shared - own * l.count) /
+                       static_cast<float>(rest));
+  const ResolveTable& table = ResolveTable::gamma22();
+  const double all = static_cast<double>(table.linear(pixel)) * l.shared;
+  const double sum = std::clamp(all - static_cast<double>(table.linear(own)) * l.count, 0.0,
+                                static_cast<double>(table.linear(255)) * rest);
+  return table.byteOfMean(static_cast<std::uint32_t>(sum), static_cast<std::uint32_t>(rest));
+}
+
+float meanOfRest(float pixel, float own, const Layer& l)
+{
+  const float sum = pixel * static_cast<float>(l.shared) - own * static_cast<float>(l.count);
+  return std::max(0.0f, sum) / static_cast<float>(l.shared - l.count);
 }
 
 void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)

@@ -37,6 +37,10 @@ bool areOneSurface(const Layer& p, const Layer& q, float tolerance);
 /// What of a step at a layer is too little to be one.
 float toleranceAt(const Scene& scene, const Layer& p);
 
+/// The mean of the pixel's samples that the layer has not, of one channel.
+std::uint8_t meanOfRest(std::uint8_t pixel, std::uint8_t own, const Layer& l, Resolve resolve);
+float meanOfRest(float pixel, float own, const Layer& l);  ///< of radiance
+
 /// Draws the lines of Style::imageOutline, pixel after pixel. `layers` are those of all pixels, row
 /// by row.
 void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers);

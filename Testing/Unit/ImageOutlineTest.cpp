@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Lines from the finished picture: their place, their width, what they leave alone.
-#include "Testing/Unit/TestScene.h"
+#include "Testing/Unit/OutlinedScene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,41 +10,8 @@
 namespace limn::testing {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-
 class ImageOutlines : public BothBackends {};
 LIMN_ON_BOTH_BACKENDS(ImageOutlines);
-
-/// A white surface with a black line.
-Instance outlined(const OwnedMesh& mesh, float width, std::uint32_t id = 0)
-{
-  Instance instance = painted(mesh, {1, 1, 1}, id);
-  instance.style.imageOutline.detector = OutlineDetector::kPlane;
-  instance.style.outlineWidth = width;
-  return instance;
-}
-
-/// Stage of one unit a pixel with plain averages, over white.
-Stage flatStage(int side, int samples)
-{
-  Stage stage = pixelStage(side, samples);
-  stage.resolve = Resolve::kLinear;
-  return stage;
-}
-
-Picture drawOverWhite(const Stage& stage, Backend backend,
-                      Background background = Background::kBlend)
-{
-  Picture picture(stage.width, stage.height);
-  std::fill(picture.color.begin(), picture.color.end(), Rgba8{255, 255, 255, 255});
-  stage.drawOver(picture, backend, background);
-  return picture;
-}
-
-double darknessOf(Rgba8 color)
-{
-  return (255.0 - color.g) / 255.0;
-}
 
 /// In pixels that are wholly black.
 double darkness(const Picture& picture)
@@ -61,30 +28,6 @@ OwnedMesh turnedSquare(double side, double half, double degrees, double z = 0)
   const double c = std::cos(degrees * kPi / 180) * half, s = std::sin(degrees * kPi / 180) * half;
   const Vec3d middle = {side / 2 + 0.3, side / 2 + 0.1, z}, u = {c, s, 0}, v = {-s, c, 0};
   return sheet(middle - u - v, u * 2.0, v * 2.0);
-}
-
-/// A disc of many triangles.
-OwnedMesh disc(Vec3d middle, double radius)
-{
-  std::vector<Vec3d> points;
-  constexpr int kSides = 720;
-  for (int i = 0; i < kSides; ++i) {
-    const auto at = [&](int k) {
-      const double angle = 2 * kPi * k / kSides;
-      return middle + Vec3d{std::cos(angle), std::sin(angle), 0} * radius;
-    };
-    points.insert(points.end(), {middle, at(i), at(i + 1)});
-  }
-  return soup(points);
-}
-
-/// Half of the picture's plane, whose border passes the picture's middle, `shift` above it.
-OwnedMesh halfPlane(int side, double degrees, double shift)
-{
-  const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
-  const Vec3d middle = {side / 2.0, side / 2.0 + shift, 0}, along = {120 * c, 120 * s, 0},
-              below = {120 * s, -120 * c, 0};
-  return sheet(middle - along + below, along * 2.0, below * -1.0);
 }
 
 TEST_P(ImageOutlines, CoverWidthTimesLengthOfStraightBorders)

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Rendering/Lines/FindEdges.h"
+
+namespace limn {
+
+/// Joins the crossings on the sides of the squares between the centres of two rows' pixels.
+void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const CreaseRow& above,
+                   CreaseRow& result);
+
+}  // namespace limn

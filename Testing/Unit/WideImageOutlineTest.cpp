@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lines from the finished picture that are wider than what they have room in, or than a step is
+// high.
+#include "Testing/Unit/OutlinedScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace limn::testing {
+namespace {
+
+class WideImageOutlines : public BothBackends {};
+LIMN_ON_BOTH_BACKENDS(WideImageOutlines);
+
+/// Sees what lies between z = 0 and 29.
+Stage deepStage(int side, int samples)
+{
+  Stage stage = flatStage(side, samples);
+  stage.view.eye.z = 30;
+  stage.view.near = 1;
+  stage.view.far = 50;
+  return stage;
+}
+
+/// One mesh of several.
+OwnedMesh together(const std::vector<OwnedMesh>& meshes)
+{
+  std::vector<Vec3d> points;
+  for (const OwnedMesh& mesh : meshes)
+    for (const Triangle& triangle : mesh.triangles)
+      for (const std::uint32_t vertex : triangle.vertex)
+        points.push_back(vec3Cast<double>(mesh.positions[vertex]));
+  return soup(points);
+}
+
+/// How far a pixel's centre is above a line through the middle of a picture.
+double above(int side, double degrees, int x, int y)
+{
+  const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
+  return (x + 0.5 - side / 2.0) * -s + (y + 0.5 - side / 2.0) * c;
+}
+
+TEST_P(WideImageOutlines, FillGroovesThatAreNarrowerThanThey)
+{
+  // From below upwards a surface, `groove` pixels of another one behind that, and a third: the
+  // first one's line and the second's lie side by side, with nothing between them.
+  constexpr int kSide = 64, kFrom = 14, kTo = 50;
+  const bool isFast = GetParam() == Backend::kPipeline;
+  for (const bool isOneMesh : {true, false})
+    for (const int samples : isFast ? std::vector<int>{4, 16} : std::vector<int>{4})
+      for (const double degrees : {0.0, 13.0, 38.0})
+        for (const double groove : {2.6, 5.0, 7.3})
+          for (const float width : {4.0f, 6.0f, 8.0f}) {
+            const double height = groove / std::cos(degrees * kPi / 180);
+            const OwnedMesh front = halfPlane(kSide, degrees, 0, 20),
+                            middle = halfPlane(kSide, degrees, height, 10),
+                            back = halfPlane(kSide, degrees, 60, 0),
+                            all = together({back, middle, front});
+            Stage stage = deepStage(kSide, samples);
+            if (isOneMesh)
+              stage.instances = {outlined(all, width)};
+            else
+              stage.instances = {outlined(back, width, 1), outlined(middle, width, 2),
+                                 outlined(front, width, 3)};
+            const Picture picture = drawOverWhite(stage, GetParam());
+            const double end = std::min<double>(groove, width);
+            double sum = 0;
+            for (int y = 0; y < kSide; ++y)
+              for (int x = kFrom; x < kTo; ++x) {
+                const double off = above(kSide, degrees, x, y);
+                sum += darknessOf(at(picture, x, y));
+                const bool isInLine = off > 0.75 - width && off < end - 0.75;
+                if (isInLine && width >= groove) {
+                  ASSERT_LE(at(picture, x, y).g, 16) << x << ", " << y << ": groove " << groove
+                                                     << ", width " << width << " at " << degrees;
+                }
+              }
+            const double length = (kTo - kFrom) / std::cos(degrees * kPi / 180);
+            EXPECT_NEAR(sum / length, width + end, 0.03 + 0.4 / samples)
+                << "groove " << groove << ", width " << width << " at " << degrees << ", "
+                << samples << " samples, one mesh: " << isOneMesh;
+          }
+}
+
+TEST_P(WideImageOutlines, LeaveTheFarSideOfLowStepsAlone)
+{
+  // Steps of a little more than the tolerance of 3 pixels.
+  constexpr int kSide = 64, kFrom = 20, kTo = 44;
+  const bool isFast = GetParam() == Backend::kPipeline;
+  for (const int samples : isFast ? std::vector<int>{1, 4, 8} : std::vector<int>{1})
+    for (const double degrees : {0.0, 17.0, 29.0, 44.0})
+      for (const double step : {3.5, 5.0, 8.0})
+        for (const float width : {6.0f, 12.0f}) {
+          const OwnedMesh both = together(
+              {halfPlane(kSide, degrees, 60, 10), halfPlane(kSide, degrees, 0, 10 + step)});
+          Stage stage = deepStage(kSide, samples);
+          stage.instances = {outlined(both, width)};
+          const Picture picture = drawOverWhite(stage, GetParam());
+          double sum = 0;
+          for (int y = 0; y < kSide; ++y)
+            for (int x = kFrom; x < kTo; ++x) {
+              sum += darknessOf(at(picture, x, y));
+              if (above(kSide, degrees, x, y) > 0.75) {
+                ASSERT_EQ(at(picture, x, y).g, 255)
+                    << x << ", " << y << " behind a step of " << step << " at " << degrees << ", "
+                    << samples << " samples";
+              }
+            }
+          const double length = (kTo - kFrom) / std::cos(degrees * kPi / 180);
+          EXPECT_NEAR(sum / length, width, samples == 1 ? 0.3 : 0.08)
+              << "step " << step << " at " << degrees << ", " << samples << " samples";
+        }
+}
+
+TEST_P(WideImageOutlines, AreEvenlyWideAroundALowDisc)
+{
+  constexpr int kSide = 80, kSectors = 24;
+  const Vec3d middle = {40.2, 39.6, 14};
+  constexpr double kRadius = 30.4;
+  const OwnedMesh both = together({halfPlane(kSide, 0, 60, 10), disc(middle, kRadius)});
+  for (const float width : {4.0f, 6.0f, 8.0f}) {
+    Stage stage = deepStage(kSide, 8);
+    stage.instances = {outlined(both, width)};
+    const Picture picture = drawOverWhite(stage, GetParam());
+    std::vector<double> ink(kSectors, 0.0);
+    constexpr int kFine = 8;  // of pixels that lie in two sectors
+    for (int y = 0; y < kSide * kFine; ++y)
+      for (int x = 0; x < kSide * kFine; ++x) {
+        const double angle = std::atan2((y + 0.5) / kFine - middle.y, (x + 0.5) / kFine - middle.x);
+        const int sector = static_cast<int>((angle + kPi) / (2 * kPi) * kSectors) % kSectors;
+        ink[static_cast<std::size_t>(sector)] +=
+            darknessOf(at(picture, x / kFine, y / kFine)) / (kFine * kFine);
+      }
+    const double inner = kRadius - width;
+    const double area = kPi * (kRadius * kRadius - inner * inner) / kSectors;
+    for (int i = 0; i < kSectors; ++i)
+      EXPECT_NEAR(ink[static_cast<std::size_t>(i)] / area, 1, 0.03)
+          << "sector " << i << ", width " << width;
+  }
+}
+
+TEST_P(WideImageOutlines, RunUpToTheBorderOfWhatLiesBeforeThem)
+{
+  // A red sheet without lines ends in the middle of pixels; the line of a square behind it goes on
+  // to its border.
+  constexpr int kSide = 40;
+  const OwnedMesh back = sheet({2, 6, 0}, {34, 0, 0}, {0, 24, 0}),
+                  front = sheet({-5, -5, 20}, {25.5, 0, 0}, {0, 50, 0});
+  for (const int samples : {4, 8, 16}) {
+    Stage stage = deepStage(kSide, samples);
+    stage.instances = {outlined(back, 4, 1), painted(front, {1, 0, 0}, 2)};
+    const Picture picture = drawOverWhite(stage, GetParam());
+    for (const int y : {7, 8, 27, 28}) {
+      EXPECT_EQ(at(picture, 19, y).r, 255) << y;
+      EXPECT_NEAR(at(picture, 20, y).r, 127.5, 1) << y;
+      EXPECT_EQ(at(picture, 20, y).g, 0) << y;
+      EXPECT_EQ(at(picture, 21, y).r, 0) << y;
+    }
+    for (const int y : {12, 18, 23}) {
+      EXPECT_EQ(at(picture, 20, y).r, 255) << "no line " << y;
+      EXPECT_NEAR(at(picture, 20, y).g, 127.5, 1) << "no line " << y;
+    }
+  }
+}
+
+TEST_P(WideImageOutlines, StayInTheMiddleOfCreasesThatAreStepsHereAndThere)
+{
+  // A table with a slope beside it; next to the table's border the slope has a hole of two pixels,
+  // through which something deeper is seen that is steeper than either.
+  const auto slope = [](double x0, double x1, double y0) {
+    return sheet({x0, y0, 52 - y0}, {x1 - x0, 0, 0}, {0, 60 - y0, y0 - 60});
+  };
+  const OwnedMesh all =
+      together({sheet({-5, -5, 20}, {74, 0, 0}, {0, 37, 0}), slope(-5, 30, 32), slope(32, 69, 32),
+                slope(30, 32, 33), sheet({29, 31, 11.5}, {4, 0, -7}, {0, 3, 0})});
+  Stage stage = deepStage(64, 1);
+  stage.view.far = 90;
+  stage.instances = {outlined(all, 6)};
+  const Picture picture = drawOverWhite(stage, GetParam());
+  for (int x = 20; x < 44; ++x) {
+    for (const int y : {25, 26, 27, 28, 38, 39})
+      EXPECT_EQ(at(picture, x, y).g, 255) << x << ", " << y;
+    for (const int y : {29, 30, 31, 32, 33})
+      EXPECT_EQ(at(picture, x, y).g, 0) << x << ", " << y;
+  }
+}
+
+}  // namespace
+}  // namespace limn::testing
