@@ -37,13 +37,13 @@ namespace {
 
 /// What a thread needs for one tile; kept from frame to frame, so that no tile allocates.
 struct TileMemory {
+  alignas(64) Rgba8 runColor[kTilePixels];  ///< of tiles that are drawn in the frame itself
   TileColors colors;
   FragmentShader shader;
   VisibilityTile visible;
   std::vector<TileCluster> ordered;
   TileFrame fresh;
   FragmentList fragments;
-  alignas(64) Rgba8 runColor[kTilePixels];  ///< of tiles that are drawn in the frame itself
 };
 
 TileMemory& tileMemory()
@@ -82,13 +82,16 @@ class Stopwatch {
   Clock::time_point start_ = Clock::now();
 };
 
+bool meet(const TileRectangle& a, const TileRectangle& b)
+{
+  return std::max(a.x0, b.x0) < std::min(a.x1, b.x1) && std::max(a.y0, b.y0) < std::min(a.y1, b.y1);
+}
+
 bool isToBeCleared(const FrameClear& clear, const TileRectangle& pixels,
                    const TileRectangle& touched)
 {
-  const bool meets = std::max(pixels.x0, touched.x0) < std::min(pixels.x1, touched.x1) &&
-                     std::max(pixels.y0, touched.y0) < std::min(pixels.y1, touched.y1);
   return clear.extent == FrameClear::Extent::kAll ||
-         (clear.extent == FrameClear::Extent::kTouched && meets);
+         (clear.extent == FrameClear::Extent::kTouched && meet(pixels, touched));
 }
 
 /// The translucent surfaces of a tile: clusters from `firstSlot` on.
@@ -111,7 +114,7 @@ class TranslucentLayers {
     return compositeRows({pixels_.y0, pixels_.y1});
   }
   void write() const { memory_.compositor.write(); }
-  void veil(std::vector<VeiledPixel>& veiled) const { memory_.compositor.veil(pixels_, veiled); }
+  void veil(VeiledTile& veiled) const { memory_.compositor.veil(pixels_, veiled); }
 
  private:
   std::size_t compositeRows(TileRows rows)
@@ -162,6 +165,7 @@ void resolve(const TileClusters& clusters, const TileRectangle& pixels, const Fr
 struct PassInputs {
   const LayerTarget* surfaces;
   Veil* veil;
+  TileRectangle veiled;  ///< pixels outside of which nothing changes what is below the veil
 };
 
 /// Draws pixels of the viewport, which lie at `place` in the frame.
@@ -170,6 +174,7 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
                        const TileRectangle& place, PassInputs passes)
 {
   const LayerTarget* const surfaces = passes.surfaces;
+  const bool isVeiled = passes.veil != nullptr && meet(pixels, passes.veiled);
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
   const std::size_t opaque = orderClusters(scene, bins, tile, memory.ordered);
@@ -197,9 +202,9 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
   }
   writeSurfaces(nullptr);
   TranslucentLayers layers(clusters, opaque, pixels, memory);
-  stats.truncatedPixels = layers.composite(frame, place, passes.veil != nullptr);
+  stats.truncatedPixels = layers.composite(frame, place, isVeiled);
   resolve(clusters, place, frame, memory);
-  if (passes.veil != nullptr)
+  if (isVeiled)
     layers.veil(passes.veil->tile(tile));
   else
     layers.write();
@@ -301,7 +306,10 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   const std::optional<LayerTarget> layers = layersFor(scene, frame);
   std::optional<Veil> veil;
   if (Veil::isNeeded(scene, frame)) veil.emplace(bins.grid.count());
-  const PassInputs passes = {layers ? &*layers : nullptr, veil ? &*veil : nullptr};
+  TileRectangle veiled = {0, 0, frame.width, frame.height};
+  if (veil && !layers)
+    veiled = boundStrokes(scene, frame.width, frame.height, options.threads, LinesOf::kOpaque);
+  const PassInputs passes = {layers ? &*layers : nullptr, veil ? &*veil : nullptr, veiled};
   std::atomic<std::size_t> occluded = 0, truncated = 0;
   parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
     const TileStats drawn = drawTile(placed, bins, tile, frame, passes);

@@ -81,7 +81,7 @@ public:
   virtual bool Blend(vtkRenderer* renderer, const Layer& layer) = 0;
 
   /**
-   * What lines lay over those samples of single pixels that show nothing of the last layer.
+   * What lines lay over those samples of a pixel that show nothing of their layer.
    */
   struct LinePixel
   {
@@ -98,13 +98,14 @@ public:
     int Samples;
     const LinePixel* Pixels;
     size_t Count;
-    bool WritesDepth; ///< that of pixels of which lines cover half or more
+    bool WritesDepth; ///< that of pixels of whose named samples lines cover half or more
   };
 
   /**
    * Blends lines over what is not nearer than they are, in the renderer's viewport of the window's
-   * own framebuffer, whatever framebuffer is bound. Call it after Composite() or Blend() of the
-   * layer, and when all is drawn that may lie behind them. False on an error (reported).
+   * own framebuffer, whatever framebuffer is bound; in their order where a pixel comes several
+   * times, as those of several layers may. Call it after Composite() or Blend() of the layers, and
+   * when all is drawn that may lie behind them. False on an error (reported).
    */
   virtual bool BlendLines(vtkRenderer* renderer, const LineLayer& lines) = 0;
 

@@ -92,6 +92,9 @@ class StrokeBins {
   std::vector<std::uint32_t> first_, piece_;
 };
 
+/// What is painted of a group: all, what translucent surfaces lie before or what lies before them.
+enum class StrokeLayer { kNone, kAll, kBelow, kBefore };
+
 /// The strokes of one tile, group by group.
 class TilePainter {
  public:
@@ -107,16 +110,18 @@ class TilePainter {
     open_->begin(tile);
   }
 
-  /// Paints the groups for which isWanted(group) holds.
-  template <class Wanted>
-  void paint(Span<const std::uint32_t> pieces, const Wanted& isWanted)
+  /// Paints what `layerOf` says of a group.
+  template <class LayerOf>
+  void paint(Span<const std::uint32_t> pieces, const LayerOf& layerOf)
   {
     std::size_t next = 0;
     for (const StrokeGroup& group : plan_.groups) {
       const std::size_t first = next;
       while (next < pieces.size() && pieces[next] < group.endPiece)
         ++next;
-      if (next > first && isWanted(group)) paintGroup(group, {pieces.data() + first, next - first});
+      const StrokeLayer layer = layerOf(group);
+      if (next > first && layer != StrokeLayer::kNone)
+        paintGroup(group, {pieces.data() + first, next - first}, layer);
     }
   }
   /// Appends what goes to FrameView::linePixels.
@@ -125,8 +130,19 @@ class TilePainter {
     if (open_ != nullptr) open_->collect(frame_, samples_, linePixels);
   }
 
+  /// For StrokeLayer::kBelow and kBefore.
+  void setVeil(const VeiledTile& veil)
+  {
+    thread_local std::vector<float> nearest;
+    nearest.assign(kTilePixels, -1.0f);
+    for (const VeiledPixel& pixel : veil.pixels)
+      nearest[static_cast<std::size_t>((pixel.y - tile_.y0) * kTileSide + pixel.x - tile_.x0)] =
+          pixel.nearest;
+    veil_ = nearest.data();
+  }
+
  private:
-  void paintGroup(const StrokeGroup& group, Span<const std::uint32_t> pieces)
+  void paintGroup(const StrokeGroup& group, Span<const std::uint32_t> pieces, StrokeLayer layer)
   {
     std::fill_n(memory_->coverage, kTilePixels, 0.0f);
     std::fill_n(memory_->depth, kTilePixels, kNoDepth);
@@ -144,8 +160,12 @@ class TilePainter {
     for (int y = y0; y < y1; ++y)
       for (int x = x0; x < x1; ++x) {
         const float coverage = memory_->coverage[y * kTileSide + x];
-        if (coverage > 0)
-          blend.blend(tile_.x0 + x, tile_.y0 + y, coverage, memory_->depth[y * kTileSide + x]);
+        const float depth = memory_->depth[y * kTileSide + x];
+        if (!(coverage > 0)) continue;
+        if (layer != StrokeLayer::kAll &&
+            (depth < veil_[y * kTileSide + x]) != (layer == StrokeLayer::kBefore))
+          continue;
+        blend.blend(tile_.x0 + x, tile_.y0 + y, coverage, depth);
       }
   }
 
@@ -155,6 +175,7 @@ class TilePainter {
   int samples_;
   TileRectangle tile_;
   StrokeTile* memory_;
+  const float* veil_ = nullptr;  ///< depth of the nearest translucent surface; -1 of none
   OpenSamples* open_ = nullptr;
 };
 
@@ -212,12 +233,15 @@ bool hasLines(const Scene& scene)
                      [](const Instance& instance) { return !instance.lines.empty(); });
 }
 
-TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads)
+TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads,
+                           LinesOf instances)
 {
   ScreenBox box;
-  for (const Instance& instance : scene.instances)
+  for (const Instance& instance : scene.instances) {
+    if (instances == LinesOf::kOpaque && instance.isTranslucent()) continue;
     for (const LineSet& set : instance.lines)
       box.add(boxOf(set, LinePlace(scene.camera, instance.modelToWorld, width, height), threads));
+  }
   if (box.x0 > box.x1) return {0, 0, 0, 0};
   return {pixelOf(std::floor(box.x0), width), pixelOf(std::floor(box.y0), height),
           pixelOf(std::ceil(box.x1), width), pixelOf(std::ceil(box.y1), height)};
@@ -240,13 +264,23 @@ void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers
       return;
     }
     TilePainter painter(plan, frame, cut ? &*cut : nullptr, scene.samples, grid.rectangle(tile));
-    const auto isAbove = [&](const StrokeGroup& group) {
-      return veil != nullptr && scene.instances[group.instance].isTranslucent();
-    };
-    painter.paint(pieces, [&](const StrokeGroup& group) { return !isAbove(group); });
-    if (veil != nullptr) {
+    if (veil == nullptr) {
+      painter.paint(pieces, [](const StrokeGroup&) { return StrokeLayer::kAll; });
+    } else {
+      const bool hasVeil = !veil->tile(tile).pixels.empty();
+      const auto isTranslucent = [&](const StrokeGroup& group) {
+        return scene.instances[group.instance].isTranslucent();
+      };
+      if (hasVeil) painter.setVeil(veil->tile(tile));
+      painter.paint(pieces, [&](const StrokeGroup& group) {
+        if (isTranslucent(group)) return StrokeLayer::kNone;
+        return hasVeil ? StrokeLayer::kBelow : StrokeLayer::kAll;
+      });
       veil->lay(tile, frame);
-      painter.paint(pieces, isAbove);
+      painter.paint(pieces, [&](const StrokeGroup& group) {
+        if (isTranslucent(group)) return StrokeLayer::kAll;
+        return hasVeil ? StrokeLayer::kBefore : StrokeLayer::kNone;
+      });
     }
     painter.collect(linePixels[tile]);
   });

@@ -13,8 +13,11 @@ namespace limn {
 /// Whether any instance has lines.
 bool hasLines(const Scene& scene);
 
-/// Pixels outside of which no stroke of the scene has any; empty if x0 >= x1.
-TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads);
+enum class LinesOf { kAll, kOpaque };
+
+/// Pixels outside of which no stroke of these instances has any; empty if x0 >= x1.
+TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads,
+                           LinesOf instances = LinesOf::kAll);
 
 /// Draws the scene's lines over its finished surfaces, which `frame` holds, as Instance::lines
 /// says: the bytes of Reference/ReferenceStrokes. With Background::kBlend colours become
@@ -25,7 +28,7 @@ TileRectangle boundStrokes(const Scene& scene, int width, int height, int thread
 /// alpha too, into P + (line - P) a, in float until all lines are drawn. Depths become those of the
 /// nearest line where a >= 1/2, or the pixel was not covered before, and it is nearer. `layers` are
 /// the frame's, or null; their halos take from the coverage. `veil`, or null, is laid over the
-/// lines of opaque instances, and lines of translucent ones over that.
+/// lines of opaque instances that are not nearer than all of it, and the other lines over that.
 void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
                  const Veil* veil, int threads);
 

@@ -40,12 +40,19 @@ std::uint32_t bitCount(std::uint32_t bits)
 
 void OpenSamples::begin(const TileRectangle& tile)
 {
+  constexpr Pixel kClear = {{0, 0, 0, 0}, 1};
+  pixels_.resize(kTilePixels, kClear);
+  for (int y = used_.y0; y < used_.y1; ++y)
+    std::fill_n(pixels_.begin() + static_cast<std::ptrdiff_t>(indexOf(used_.x0, y)),
+                used_.x1 - used_.x0, kClear);
   tile_ = tile;
-  pixels_.assign(kTilePixels, Pixel{{0, 0, 0, 0}, 1});
+  used_ = {tile.x1, tile.y1, tile.x0, tile.y0};
 }
 
 void OpenSamples::add(int x, int y, Vec4f line, float share, float depth)
 {
+  used_ = {std::min(used_.x0, x), std::min(used_.y0, y), std::max(used_.x1, x + 1),
+           std::max(used_.y1, y + 1)};
   Pixel& pixel = pixels_[indexOf(x, y)];
   Vec4f& color = pixel.color;
   color = {mixed(color.x, line.x, share), mixed(color.y, line.y, share),
@@ -56,9 +63,10 @@ void OpenSamples::add(int x, int y, Vec4f line, float share, float depth)
 void OpenSamples::collect(const FrameView& frame, int samples, std::vector<LinePixel>& pixels) const
 {
   const auto all = static_cast<std::uint8_t>((1u << samples) - 1u);
-  for (int y = tile_.y0; y < tile_.y1; ++y)
-    for (int x = tile_.x0; x < tile_.x1; ++x) {
+  for (int y = used_.y0; y < used_.y1; ++y)
+    for (int x = used_.x0; x < used_.x1; ++x) {
       const Pixel& pixel = pixels_[indexOf(x, y)];
+      if (!(pixel.color.w > 0.0f)) continue;
       const Rgba8 color = {roundedByte(pixel.color.x), roundedByte(pixel.color.y),
                            roundedByte(pixel.color.z), roundedByte(pixel.color.w)};
       const std::uint8_t covered = frame.coverage[y * frame.rowStride + x];

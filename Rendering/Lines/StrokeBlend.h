@@ -32,7 +32,8 @@ class OpenSamples {
   }
 
   TileRectangle tile_ = {0, 0, 0, 0};
-  std::vector<Pixel> pixels_;
+  TileRectangle used_ = {0, 0, 0, 0};  ///< pixels outside of which nothing was added
+  std::vector<Pixel> pixels_;          ///< those outside of used_ are clear
 };
 
 /// Lays one group over the pixels of a frame.

@@ -25,7 +25,9 @@ bool Veil::isNeeded(const Scene& scene, const FrameView& frame)
 void Veil::lay(std::size_t tile, const FrameView& frame) const
 {
   const RadianceView& radiance = frame.radiance;
-  for (const VeiledPixel& veiled : tiles_[tile]) {
+  const VeiledTile& all = tiles_[tile];
+  for (std::size_t i = 0; i < all.pixels.size(); ++i) {
+    const VeiledPixel& veiled = all.pixels[i];
     const std::ptrdiff_t index = veiled.y * frame.rowStride + veiled.x;
     const auto mixed = [&](std::uint8_t seen, std::uint8_t below, std::uint8_t now) {
       return toByte(static_cast<float>(seen) +
@@ -36,12 +38,13 @@ void Veil::lay(std::size_t tile, const FrameView& frame) const
         mixed(veiled.seen.r, veiled.below.r, now.r), mixed(veiled.seen.g, veiled.below.g, now.g),
         mixed(veiled.seen.b, veiled.below.b, now.b), mixed(veiled.seen.a, veiled.below.a, now.a)};
     if (radiance.empty()) continue;
+    const VeiledRadiance& bright = all.radiance[i];
     const auto lay = [&](float& value, float seen, float below) {
       value = boundedRadiance(seen + veiled.rest * (value - below));
     };
-    lay(radiance.r[index], veiled.seenRadiance.x, veiled.belowRadiance.x);
-    lay(radiance.g[index], veiled.seenRadiance.y, veiled.belowRadiance.y);
-    lay(radiance.b[index], veiled.seenRadiance.z, veiled.belowRadiance.z);
+    lay(radiance.r[index], bright.seen.x, bright.below.x);
+    lay(radiance.g[index], bright.seen.y, bright.below.y);
+    lay(radiance.b[index], bright.seen.z, bright.below.z);
   }
 }
 

@@ -15,9 +15,16 @@ namespace limn {
 /// on the picture without them.
 struct VeiledPixel {
   std::uint16_t x, y;
-  Rgba8 below, seen;                  ///< without and with translucent surfaces
-  float rest;                         ///< the share of `below` in `seen`, mean over the samples
-  Vec3f belowRadiance, seenRadiance;  ///< only where the frame has radiance
+  Rgba8 below, seen;  ///< without and with translucent surfaces
+  float rest;         ///< the share of `below` in `seen`, mean over the samples
+  float nearest;      ///< depth of the nearest translucent surface: nearer lines lie before all
+};
+struct VeiledRadiance {
+  Vec3f below, seen;
+};
+struct VeiledTile {
+  std::vector<VeiledPixel> pixels;
+  std::vector<VeiledRadiance> radiance;  ///< one a pixel if the frame has radiance
 };
 
 /// The translucent surfaces over a frame, tile by tile.
@@ -28,12 +35,13 @@ class Veil {
   static bool isNeeded(const Scene& scene, const FrameView& frame);
 
   explicit Veil(std::size_t tiles) : tiles_(tiles) {}
-  std::vector<VeiledPixel>& tile(std::size_t number) { return tiles_[number]; }
+  VeiledTile& tile(std::size_t number) { return tiles_[number]; }
+  const VeiledTile& tile(std::size_t number) const { return tiles_[number]; }
   /// Where the frame's pixel became N from `below`, it becomes seen + rest (N - below).
   void lay(std::size_t tile, const FrameView& frame) const;
 
  private:
-  std::vector<std::vector<VeiledPixel>> tiles_;
+  std::vector<VeiledTile> tiles_;
 };
 
 }  // namespace limn

@@ -169,7 +169,8 @@ void TileCompositor::addSinglePixel(const TranslucentFragments& fragments,
                      {toByte(color.x), toByte(color.y), toByte(color.z), toByte(color.w)},
                      {0, 0, 0},
                      1,
-                     isVeiled_ ? restOf(fragments, layers) : 0.0f});
+                     isVeiled_ ? restOf(fragments, layers) : 0.0f,
+                     touched.nearest});
 }
 
 void TileCompositor::addPixel(const TranslucentFragments& fragments,
@@ -182,6 +183,7 @@ void TileCompositor::addPixel(const TranslucentFragments& fragments,
     cover(fragments, layers + 1, layers[0], sample_[0]);
     pixels_.push_back(meanOfEqual(touched.pixel));
     if (isVeiled_) pixels_.back().rest = restOf(fragments, layers);
+    pixels_.back().nearest = touched.nearest;
     return;
   }
   const float rest = isVeiled_ ? restOf(fragments, layers) : 0.0f;
@@ -194,6 +196,7 @@ void TileCompositor::addPixel(const TranslucentFragments& fragments,
   }
   pixels_.push_back(meanOf(touched.pixel));
   pixels_.back().rest = rest;
+  pixels_.back().nearest = touched.nearest;
 }
 
 TileCompositor::Pixel TileCompositor::meanOf(std::uint32_t pixel) const
@@ -213,6 +216,7 @@ TileCompositor::Pixel TileCompositor::meanOf(std::uint32_t pixel) const
           sum.mean(),
           {radiance.x / count, radiance.y / count, radiance.z / count},
           static_cast<std::uint16_t>(coverage_),
+          0,
           0};
 }
 
@@ -229,6 +233,7 @@ TileCompositor::Pixel TileCompositor::meanOfEqual(std::uint32_t pixel) const
           {toByte(c.x), toByte(c.y), toByte(c.z), toByte(c.w)},
           {radiance.x / count, radiance.y / count, radiance.z / count},
           static_cast<std::uint16_t>((1u << samples_) - 1u),
+          0,
           0};
 }
 
@@ -257,25 +262,22 @@ void TileCompositor::write() const
   }
 }
 
-void TileCompositor::veil(const TileRectangle& pixels, std::vector<VeiledPixel>& veiled) const
+void TileCompositor::veil(const TileRectangle& pixels, VeiledTile& veiled) const
 {
   const TilePlace place(tile_, *frame_);
+  veiled.pixels.reserve(pixels_.size());
   for (const Pixel& pixel : pixels_) {
     const std::ptrdiff_t index = place.indexOf(pixel.pixel);
-    VeiledPixel one = {};
-    one.x = static_cast<std::uint16_t>(pixels.x0 + static_cast<int>(pixel.pixel % kTileSide));
-    one.y = static_cast<std::uint16_t>(pixels.y0 + static_cast<int>(pixel.pixel / kTileSide));
-    one.below = frame_->color[index];
-    one.seen = pixel.color;
-    one.rest = pixel.rest;
+    const int column = static_cast<int>(pixel.pixel % kTileSide),
+              row = static_cast<int>(pixel.pixel / kTileSide);
+    veiled.pixels.push_back({static_cast<std::uint16_t>(pixels.x0 + column),
+                             static_cast<std::uint16_t>(pixels.y0 + row), frame_->color[index],
+                             pixel.color, pixel.rest, pixel.nearest});
     if (frame_->coverage != nullptr)
       frame_->coverage[index] = static_cast<std::uint8_t>(pixel.coverage);
-    if (hasRadiance_) {
-      const RadianceView& below = frame_->radiance;
-      one.belowRadiance = {below.r[index], below.g[index], below.b[index]};
-      one.seenRadiance = pixel.radiance;
-    }
-    veiled.push_back(one);
+    if (!hasRadiance_) continue;
+    const RadianceView& below = frame_->radiance;
+    veiled.radiance.push_back({{below.r[index], below.g[index], below.b[index]}, pixel.radiance});
   }
 }
 

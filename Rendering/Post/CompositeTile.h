@@ -25,7 +25,7 @@ class TileCompositor {
   void write() const;
   /// Leaves the picture without translucent surfaces and lists what write() would write. `pixels`
   /// are the tile in the frame that is veiled. Requires: resolveTile().
-  void veil(const TileRectangle& pixels, std::vector<VeiledPixel>& veiled) const;
+  void veil(const TileRectangle& pixels, VeiledTile& veiled) const;
 
  private:
   /// A sample before it becomes bytes.
@@ -39,7 +39,8 @@ class TileCompositor {
     Rgba8 color;
     Vec3f radiance;
     std::uint16_t coverage;
-    float rest;  ///< of what is below, mean over the samples; only if veiled
+    float rest;     ///< of what is below, mean over the samples; only if veiled
+    float nearest;  ///< translucent depth; only if veiled
   };
   /// Returns whether all samples are the same.
   bool findOpaque(std::uint32_t pixel, std::ptrdiff_t index);

@@ -361,6 +361,21 @@ class Picture {
         resolve(x, y);
   }
 
+  /// Of all pixels, row by row; -1: there is none.
+  std::vector<float> nearestTranslucent()
+  {
+    std::vector<float> nearest;
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x) {
+        float depth = 2;
+        for (std::size_t s = 0; !layers_.empty() && s < offsets_.size(); ++s)
+          for (const Sample& layer : layers(x, y, s))
+            depth = std::min(depth, layer.depth);
+        nearest.push_back(depth < 2 ? depth : -1);
+      }
+    return nearest;
+  }
+
   /// Lays the translucent surfaces over what is below them by now: what is seen changes by the
   /// share of what is below times its change.
   void layVeil() const
@@ -849,7 +864,8 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   if (areCued || areOutlined) layers = picture.layersOfAll();
   if (areCued) drawCues(scene, frame, layers);
   if (areOutlined) drawOutlines(scene, frame, layers);
-  drawStrokes(scene, frame, layers, hasVeil ? [&] { picture.layVeil(); } : std::function<void()>());
+  const StrokeVeil veil = {[&] { picture.layVeil(); }, picture.nearestTranslucent()};
+  drawStrokes(scene, frame, layers, hasVeil ? &veil : nullptr);
   return truncated;
 }
 

@@ -93,14 +93,20 @@ class Lines {
     if (isSplit()) open_.resize(pixels, Open{{0, 0, 0, 0}, 1});
   }
 
-  void draw(const std::function<void()>& layVeil)
+  void draw(const StrokeVeil* veil)
   {
     for (const Instance& instance : scene_.instances)
-      if (!layVeil || !instance.isTranslucent()) draw(instance);
-    if (layVeil) {
-      layVeil();
+      if (veil == nullptr)
+        draw(instance, [](std::size_t, float) { return true; });
+      else if (!instance.isTranslucent())
+        draw(instance,
+             [&](std::size_t pixel, float depth) { return depth >= veil->nearest[pixel]; });
+    if (veil != nullptr) {
+      veil->lay();
       for (const Instance& instance : scene_.instances)
-        if (instance.isTranslucent()) draw(instance);
+        draw(instance, [&](std::size_t pixel, float depth) {
+          return instance.isTranslucent() || depth < veil->nearest[pixel];
+        });
     }
     if (isSplit()) listOpen();
   }
@@ -119,7 +125,8 @@ class Lines {
            frame_.linePixels != nullptr;
   }
 
-  void draw(const Instance& instance)
+  /// Where isWanted(pixel, depth) holds.
+  void draw(const Instance& instance, const std::function<bool(std::size_t, float)>& isWanted)
   {
     for (std::size_t i = 0; i < instance.lines.size(); ++i) {
       const LineSet& set = instance.lines[i];
@@ -127,7 +134,7 @@ class Lines {
       if (i == 0 || !(instance.lines[i - 1].style == set.style)) begin();
       cover(instance, set);
       if (i + 1 == instance.lines.size() || !(instance.lines[i + 1].style == set.style))
-        blend(set.style, instance);
+        blend(set.style, instance, isWanted);
     }
   }
 
@@ -529,14 +536,16 @@ class Lines {
     depth_[at] = std::min(depth_[at], piece.depthA + t * (piece.depthB - piece.depthA));
   }
 
-  void blend(const LineStyle& style, const Instance& instance)
+  void blend(const LineStyle& style, const Instance& instance,
+             const std::function<bool(std::size_t, float)>& isWanted)
   {
     const auto number = static_cast<std::uint32_t>(&instance - scene_.instances.data());
     for (int y = 0; y < frame_.height; ++y)
       for (int x = 0; x < frame_.width; ++x) {
         const float depth = depth_[pixel(x, y)];
         const float seen = coverage_[pixel(x, y)] * (1.0f - cutShare(x, y, depth, number));
-        if (seen > 0.0f) blendPixel(style, y * frame_.rowStride + x, seen * style.opacity, depth);
+        if (seen > 0.0f && isWanted(pixel(x, y), depth))
+          blendPixel(style, y * frame_.rowStride + x, seen * style.opacity, depth);
       }
   }
 
@@ -667,14 +676,14 @@ class Lines {
 }  // namespace
 
 void drawStrokes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
-                 const std::function<void()>& layVeil)
+                 const StrokeVeil* veil)
 {
   const bool isAny = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const Instance& one) { return !one.lines.empty(); });
   if (isAny)
-    Lines(scene, frame, layers).draw(layVeil);
-  else if (layVeil)
-    layVeil();
+    Lines(scene, frame, layers).draw(veil);
+  else if (veil != nullptr)
+    veil->lay();
 }
 
 }  // namespace limn::reference

@@ -125,7 +125,10 @@ void TranslucentFragments::collect(const TileClusters& clusters, int samples,
   touched_.clear();
   for (std::uint32_t pixel = 0; pixel < kTilePixels; ++pixel) {
     if (first_[pixel] == first_[pixel + 1]) continue;
-    touched_.push_back({pixel, layerCount_});
+    float nearest = 1;
+    for (std::uint32_t k = first_[pixel]; k < first_[pixel + 1]; ++k)
+      nearest = std::min(nearest, tile.depth(order_[k]));
+    touched_.push_back({pixel, layerCount_, nearest});
     collectPixel(clusters, samples, tile, pixel);
   }
 }

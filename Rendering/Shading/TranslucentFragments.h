@@ -19,6 +19,7 @@ class TranslucentFragments {
   struct Pixel {
     std::uint32_t pixel;  ///< row * kTileSide + column, within the tile
     std::size_t first;    ///< in layers()
+    float nearest;        ///< depth of its nearest fragment, over all samples
   };
   /// Fragments [first, end) of one triangle, enough to be shaded by what the triangle is.
   struct Run {

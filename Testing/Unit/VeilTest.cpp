@@ -102,6 +102,29 @@ TEST_P(Veils, BehindTheSurfaceChangeNoLine)
   EXPECT_EQ(draw(stage).differingPixels(alone), 0u);
 }
 
+TEST_P(Veils, LieBehindLinesBeforeThem)
+{
+  // The outer half of a border's line reaches over a pane behind the plate.
+  const OwnedMesh half = plate(0, kSide / 2.0, -0.2);
+  Line line(-0.2f, kBlack);
+  line.points = {{kSide / 2.0f, -1, -0.2f}, {kSide / 2.0f, kSide + 1, -0.2f}};
+  for (const int samples : {1, 4}) {
+    Stage stage = testing::pixelStage(kSide, samples);
+    stage.instances = {testing::painted(half, kWhite), pane(behind_, 0.75f)};
+    stage.instances[0].lines = line.sets;
+    Picture picture = draw(stage);
+    expectColor(picture, 15, kInLine, 0, 0, 0);
+    expectColor(picture, 16, kInLine, 0, 0, 0);
+    expectColor(picture, 20, kInLine, 0.75, 0, 0);
+    // And another one before both, so that the line is below that.
+    const OwnedMesh before = plate(0, kSide, 0.3);
+    stage.instances.push_back(pane(before, 0.5f));
+    picture = draw(stage);
+    expectColor(picture, 15, kInLine, 0.5, 0, 0);
+    expectColor(picture, 20, kInLine, 0.5 + 0.5 * 0.75, 0, 0);
+  }
+}
+
 TEST_P(Veils, LeaveWhatNoLineChanges)
 {
   const Line line(-0.5f, {0.3f, 0.9f, 0.1f});

@@ -346,6 +346,34 @@ TEST(LayerComposite, WritesTheDepthOfLinesThatCoverHalfOfAPixel)
   }
 }
 
+// As of two layers: none of the lines hides another, in whatever order they come.
+TEST(LayerComposite, BlendsLinesOfOnePixelInTheirOrder)
+{
+  GLScene scene(0);
+  OwnedLayer layer(200, 160, 1);
+  vtkNew<LayerProp> prop;
+  prop->Layer = &layer;
+  for (const bool isNearFirst : { false, true })
+  {
+    vtkLimnCompositor::LinePixel far = LineAt(10, 100, 1), near = LineAt(10, 150, 1);
+    far.Depth = 0.6f;
+    near.Depth = 0.4f;
+    far.Color[1] = far.Color[2] = 0;
+    near.Color[0] = 0;
+    prop->Lines = { isNearFirst ? near : far, isNearFirst ? far : near };
+    scene.Renderer->RemoveAllViewProps();
+    scene.Renderer->AddViewProp(prop);
+    const Picture picture = scene.Render();
+    double red = 0.1 * 255;
+    for (const vtkLimnCompositor::LinePixel& line : prop->Lines)
+    {
+      red = line.Color[0] + (1 - line.Color[3] / 255.0) * red;
+    }
+    EXPECT_NEAR(picture.At(10, 20)[0], red, 1.5);
+    EXPECT_EQ(scene.ReadDepth()[20 * 200 + 10], 0.4f);
+  }
+}
+
 TEST(LayerComposite, RefusesLinesOfAnotherSize)
 {
   GLScene scene(0);

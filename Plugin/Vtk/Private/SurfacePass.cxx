@@ -530,8 +530,8 @@ Status SurfacePass::renderLayer(const Scene& scene, double prepareMilliseconds)
     this->renderInto(this->layer(size[0], size[1]), sampled, prepareMilliseconds, layer);
   if (status.ok() && layer.Touched[0] < layer.Touched[2] && layer.Touched[1] < layer.Touched[3])
   {
-    compositor()->Composite(renderer_, layer);
-    this->keepLines(layer);
+    if (compositor()->Composite(renderer_, layer))
+      this->keepLines(layer);
   }
   return status;
 }
@@ -547,7 +547,6 @@ void SurfacePass::keepLines(const vtkLimnCompositor::Layer& layer)
     waiting.height = layer.Height;
     waiting.samples = layer.Samples;
   }
-  waiting.pixels.reserve(waiting.pixels.size() + linePixels_.size());
   for (const LinePixel& one : linePixels_)
   {
     waiting.pixels.push_back({ one.x, one.y, { one.color.r, one.color.g, one.color.b, one.color.a },
@@ -597,9 +596,9 @@ Status SurfacePass::renderTranslucentLayer(const Scene& scene, double prepareMil
   const Status status = this->renderInto(frame, sampled, prepareMilliseconds, layer);
   if (status.ok() && layer.Touched[0] < layer.Touched[2] && layer.Touched[1] < layer.Touched[3])
   {
-    compositor()->Blend(renderer_, layer);
+    if (compositor()->Blend(renderer_, layer))
+      this->keepLines(layer);
     // Translucent surfaces write no depth, and their lines do not either.
-    this->keepLines(layer);
     this->blendWaitingLines(false);
   }
   return status;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <string>
 
 namespace
@@ -164,12 +165,15 @@ void LinePainter::SetState()
 
 void LinePainter::Blend(const vtkLimnCompositor::LineLayer& lines)
 {
+  // Those that write their depth come again: as long as colours are mixed none may hide another.
   this->Pixels.assign(lines.Pixels, lines.Pixels + lines.Count);
-  const auto split = lines.WritesDepth
-                       ? std::partition(this->Pixels.begin(), this->Pixels.end(), CoversHalf)
-                       : this->Pixels.begin();
-  const auto deep = static_cast<GLsizei>(split - this->Pixels.begin());
-  const auto rest = static_cast<GLsizei>(this->Pixels.end() - split);
+  if (lines.WritesDepth)
+  {
+    std::copy_if(
+      lines.Pixels, lines.Pixels + lines.Count, std::back_inserter(this->Pixels), CoversHalf);
+  }
+  const auto count = static_cast<GLsizei>(lines.Count);
+  const auto deep = static_cast<GLsizei>(this->Pixels.size() - lines.Count);
 
   vtkOpenGLState* state = this->Window->GetState();
   vtkOpenGLState::ScopedglEnableDisable blendSaver(state, GL_BLEND);
@@ -177,6 +181,7 @@ void LinePainter::Blend(const vtkLimnCompositor::LineLayer& lines)
   vtkOpenGLState::ScopedglEnableDisable multisampleSaver(state, GL_MULTISAMPLE);
   vtkOpenGLState::ScopedglDepthFunc depthFuncSaver(state);
   vtkOpenGLState::ScopedglDepthMask depthMaskSaver(state);
+  vtkOpenGLState::ScopedglColorMask colorMaskSaver(state);
   vtkOpenGLState::ScopedglBlendFuncSeparate blendFuncSaver(state);
   // Of a pass that peels it is another one.
   GLint equation[2];
@@ -186,10 +191,11 @@ void LinePainter::Blend(const vtkLimnCompositor::LineLayer& lines)
   if (vtkShaderProgram* const program = this->ReadyProgram(lines))
   {
     this->Upload(program);
-    state->vtkglDepthMask(GL_TRUE);
-    glDrawArrays(GL_POINTS, 0, deep);
     state->vtkglDepthMask(GL_FALSE);
-    glDrawArrays(GL_POINTS, deep, rest);
+    glDrawArrays(GL_POINTS, 0, count);
+    state->vtkglDepthMask(GL_TRUE);
+    state->vtkglColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glDrawArrays(GL_POINTS, count, deep);
     glBindVertexArray(0);
     glBindBuffer(GL_ARRAY_BUFFER, 0);
   }
