@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/StrokeBlend.h"
 
+#include "Rendering/Base/BitCount.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -26,14 +28,6 @@ std::uint8_t mixedByte(std::uint8_t old, float line, float a)
 float fullByte(float channel)
 {
   return (channel < 1.0f ? channel : 1.0f) * 255.0f;
-}
-
-std::uint32_t bitCount(std::uint32_t bits)
-{
-  std::uint32_t count = 0;
-  for (; bits != 0; bits &= bits - 1)
-    ++count;
-  return count;
 }
 
 }  // namespace

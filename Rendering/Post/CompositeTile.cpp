@@ -168,9 +168,7 @@ void TileCompositor::addSinglePixel(const TranslucentFragments& fragments,
   pixels_.push_back({touched.pixel,
                      {toByte(color.x), toByte(color.y), toByte(color.z), toByte(color.w)},
                      {0, 0, 0},
-                     1,
-                     isVeiled_ ? restOf(fragments, layers) : 0.0f,
-                     touched.nearest});
+                     1});
 }
 
 void TileCompositor::addPixel(const TranslucentFragments& fragments,
@@ -182,11 +180,8 @@ void TileCompositor::addPixel(const TranslucentFragments& fragments,
   if (isUniform && haveSameLayers(layers)) {
     cover(fragments, layers + 1, layers[0], sample_[0]);
     pixels_.push_back(meanOfEqual(touched.pixel));
-    if (isVeiled_) pixels_.back().rest = restOf(fragments, layers);
-    pixels_.back().nearest = touched.nearest;
     return;
   }
-  const float rest = isVeiled_ ? restOf(fragments, layers) : 0.0f;
   for (std::uint32_t s = 0; s < samples_; ++s) {
     const std::uint32_t count = *layers++;
     if (count == 0) continue;
@@ -195,8 +190,6 @@ void TileCompositor::addPixel(const TranslucentFragments& fragments,
     layers += count;
   }
   pixels_.push_back(meanOf(touched.pixel));
-  pixels_.back().rest = rest;
-  pixels_.back().nearest = touched.nearest;
 }
 
 TileCompositor::Pixel TileCompositor::meanOf(std::uint32_t pixel) const
@@ -215,9 +208,7 @@ TileCompositor::Pixel TileCompositor::meanOf(std::uint32_t pixel) const
   return {pixel,
           sum.mean(),
           {radiance.x / count, radiance.y / count, radiance.z / count},
-          static_cast<std::uint16_t>(coverage_),
-          0,
-          0};
+          static_cast<std::uint16_t>(coverage_)};
 }
 
 /// meanOf() where all samples are as the first.
@@ -232,19 +223,21 @@ TileCompositor::Pixel TileCompositor::meanOfEqual(std::uint32_t pixel) const
   return {pixel,
           {toByte(c.x), toByte(c.y), toByte(c.z), toByte(c.w)},
           {radiance.x / count, radiance.y / count, radiance.z / count},
-          static_cast<std::uint16_t>((1u << samples_) - 1u),
-          0,
-          0};
+          static_cast<std::uint16_t>((1u << samples_) - 1u)};
 }
 
 void TileCompositor::add(const TranslucentFragments& fragments)
 {
   const bool isSingle = samples_ == 1 && !hasRadiance_;
-  for (const TranslucentFragments::Pixel& touched : fragments.touched())
+  for (const TranslucentFragments::Pixel& touched : fragments.touched()) {
     if (isSingle)
       addSinglePixel(fragments, touched);
     else
       addPixel(fragments, touched);
+    if (!isVeiled_) continue;
+    pixels_.back().rest = restOf(fragments, fragments.layers() + touched.first);
+    pixels_.back().nearest = touched.nearest;
+  }
 }
 
 void TileCompositor::write() const

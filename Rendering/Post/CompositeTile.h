@@ -39,8 +39,9 @@ class TileCompositor {
     Rgba8 color;
     Vec3f radiance;
     std::uint16_t coverage;
-    float rest;     ///< of what is below, mean over the samples; only if veiled
-    float nearest;  ///< translucent depth; only if veiled
+    // Only if veiled:
+    float rest = 0;     ///< of what is below, mean over the samples
+    float nearest = 0;  ///< translucent depth
   };
   /// Returns whether all samples are the same.
   bool findOpaque(std::uint32_t pixel, std::ptrdiff_t index);

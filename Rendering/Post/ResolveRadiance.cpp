@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Post/ResolveRadiance.h"
 
+#include "Rendering/Base/BitCount.h"
 #include "Rendering/Post/TilePlace.h"
 
 #include <algorithm>

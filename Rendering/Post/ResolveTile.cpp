@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Post/ResolveTile.h"
 
+#include "Rendering/Base/BitCount.h"
 #include "Rendering/Post/ColorSum.h"
 #include "Rendering/Post/NearestSample.h"
 #include "Rendering/Post/TilePlace.h"

@@ -6,7 +6,6 @@
 #include "Rendering/FrameView.h"
 
 #include <cstddef>
-#include <cstdint>
 
 namespace limn {
 
@@ -26,14 +25,5 @@ class TilePlace {
  private:
   std::ptrdiff_t first_, rowStride_;
 };
-
-/// Samples of a coverage.
-inline std::uint32_t bitCount(std::uint32_t bits)
-{
-  std::uint32_t count = 0;
-  for (; bits != 0; bits &= bits - 1)
-    ++count;
-  return count;
-}
 
 }  // namespace limn

@@ -18,6 +18,19 @@
 
 #include <vector>
 
+/// What a window shows, be it Limn's or OpenGL's.
+inline Picture ReadPicture(vtkRenderWindow* window)
+{
+  const int* size = window->GetSize();
+  Picture picture;
+  picture.Width = size[0];
+  picture.Height = size[1];
+  vtkNew<vtkUnsignedCharArray> bytes;
+  window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes);
+  picture.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+  return picture;
+}
+
 /// An off-screen OpenGL window with one renderer that has a fixed camera and background.
 class GLScene
 {
@@ -50,17 +63,7 @@ public:
     return this->Read();
   }
 
-  Picture Read()
-  {
-    const int* size = this->Window->GetSize();
-    Picture picture;
-    picture.Width = size[0];
-    picture.Height = size[1];
-    vtkNew<vtkUnsignedCharArray> bytes;
-    this->Window->GetRGBACharPixelData(0, 0, size[0] - 1, size[1] - 1, 0, bytes);
-    picture.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
-    return picture;
-  }
+  Picture Read() { return ReadPicture(this->Window); }
 
   std::vector<float> ReadDepth()
   {

@@ -372,12 +372,7 @@ TEST_P(FxaaTest, InLimnsWindowLooksAsVtks)
   GLScene::SetUpCamera(renderer);
   SetUp(renderer, MakeLimnActor);
   window->Render();
-  Picture picture;
-  picture.Width = 200;
-  picture.Height = 160;
-  vtkNew<vtkUnsignedCharArray> bytes;
-  window->GetRGBACharPixelData(0, 0, 199, 159, 0, bytes);
-  picture.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+  const Picture picture = ReadPicture(window);
   const Picture expected = ByVtk();
   RecordProperty("moreThan1", CountDifferent(expected, picture, 1));
   RecordProperty("moreThan2", CountDifferent(expected, picture, 2));

@@ -206,12 +206,7 @@ TEST_P(TranslucentCase, InLimnsWindowLooksAsPeeledByVtk)
   GLScene::SetUpCamera(renderer);
   GetParam().Add(renderer, MakeLimnActor);
   window->Render();
-  Picture picture;
-  picture.Width = 200;
-  picture.Height = 160;
-  vtkNew<vtkUnsignedCharArray> bytes;
-  window->GetRGBACharPixelData(0, 0, 199, 159, 0, bytes);
-  picture.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+  const Picture picture = ReadPicture(window);
   ExpectAlike(Peeled(GetParam().Add), picture);
 }
 
@@ -276,12 +271,7 @@ TEST(TranslucentLayer, WithSeveralSamplesLooksAsInLimnsWindow)
   AddCrossing(renderer, MakeLimnActor);
   renderer->AddActor(MakeSphere(MakeLimnActor, 0, 0.4, 1));
   window->Render();
-  Picture exact;
-  exact.Width = 200;
-  exact.Height = 160;
-  vtkNew<vtkUnsignedCharArray> bytes;
-  window->GetRGBACharPixelData(0, 0, 199, 159, 0, bytes);
-  exact.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
+  const Picture exact = ReadPicture(window);
   const Picture picture = scene.Render();
   const double pixels = exact.Width * exact.Height;
   RecordProperty("moreThan2", CountDifferent(exact, picture, 2));

@@ -115,13 +115,7 @@ Picture InLimnsWindow(int multiSamples, const MakeScene& make)
   GLScene::SetUpCamera(renderer);
   make(renderer);
   window->Render();
-  Picture picture;
-  picture.Width = 200;
-  picture.Height = 160;
-  vtkNew<vtkUnsignedCharArray> bytes;
-  window->GetRGBACharPixelData(0, 0, 199, 159, 0, bytes);
-  picture.Bytes.assign(bytes->GetPointer(0), bytes->GetPointer(0) + bytes->GetNumberOfValues());
-  return picture;
+  return ReadPicture(window);
 }
 
 Picture InOpenGLsWindow(int multiSamples, const MakeScene& make)
