@@ -9,6 +9,8 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <locale>
+#include <sstream>
 
 namespace limn::viewer
 {
@@ -58,9 +60,11 @@ std::optional<double> numberOfAnySize(const std::string& text)
   }
   if (error == std::errc::result_out_of_range)
   {
-    const std::size_t exponent = text.find_first_of("eE");
-    const bool isTiny = exponent == std::string::npos ? text[text.find_first_not_of("+-0")] == '.'
-                                                      : text[exponent + 1] == '-';
+    // Too large or too near to 0? from_chars does not say.
+    std::istringstream stream(text);
+    stream.imbue(std::locale::classic());
+    stream >> number;
+    const bool isTiny = std::abs(number) < 1;
     number =
       isTiny ? std::numeric_limits<double>::denorm_min() : std::numeric_limits<double>::max();
     return *first == '-' ? -number : number;
@@ -504,18 +508,28 @@ double parsePositive(const std::string& option, const std::string& text)
 StrokeWidth parseStrokeWidth(const std::string& option, const std::string& text)
 {
   const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
+  std::string digits = text;
+  StrokeWidth width = kUsualStroke;
   for (int unit = 0; unit < 3; ++unit)
   {
-    const std::size_t digits = text.size() < 2 ? 0 : text.size() - 2;
-    if (text.compare(digits, 2, units[unit]) == 0)
+    if (text.size() > 2 && text.compare(text.size() - 2, 2, units[unit]) == 0)
     {
-      const std::string digitsOnly = text.substr(0, digits);
-      const double number =
-        unit == 0 ? parseNumberOfAnySize(option, digitsOnly) : parseNumber(option, digitsOnly);
-      return { requirePositive(option, text, number), unit };
+      digits.resize(text.size() - 2);
+      width.unit = unit;
+      break;
     }
   }
-  return { requirePositive(option, text, parseNumberOfAnySize(option, text)), 0 };
+  const std::optional<double> number = numberOfAnySize(digits);
+  if (!number)
+  {
+    throw UserError(option + "=" + text + " is not a width, as in 2, 1.5px, 3pt or 0.5mm");
+  }
+  if (width.unit != 0 && *number > kLargestNumber)
+  {
+    throw UserError(option + "=" + text + " is more than 1e30, the largest number here");
+  }
+  width.value = requirePositive(option, text, *number);
+  return width;
 }
 
 } // namespace limn::viewer

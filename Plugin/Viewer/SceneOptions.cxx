@@ -122,7 +122,7 @@ double parseFeatureAngle(Text option, Text text)
   const double degrees = parseNumberOfAnySize(option, text);
   if (degrees < 0 || degrees > 180)
   {
-    throw UserError(option + "=" + text + " is not between 0 and 180 degrees");
+    throw UserError(option + "=" + text + " is not from 0 to 180 degrees");
   }
   return degrees;
 }

@@ -252,7 +252,11 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=crease,crease" }, "--lines=crease,crease names a kind twice; name it once" },
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },
-      "--stroke-width=2in is not a finite number, as in --stroke-width=1.5" },
+      "--stroke-width=2in is not a width, as in 2, 1.5px, 3pt or 0.5mm" },
+    { { "--lines=border", "--stroke-width=3mmm" },
+      "--stroke-width=3mmm is not a width, as in 2, 1.5px, 3pt or 0.5mm" },
+    { { "--lines=border", "--stroke-width=1e38mm" },
+      "--stroke-width=1e38mm is more than 1e30, the largest number here" },
     { { "--lines=border", "--stroke-width=300px" },
       "--stroke-width=300px is greater than 256 pixels" },
     { { "--lines=border", "--stroke-width=257" }, "--stroke-width=257 is greater than 256 pixels" },
@@ -484,8 +488,8 @@ TEST(Arguments, NormalsAndFlatPointAreRead)
     "--normals and --shading=flat exclude each other; give one");
   EXPECT_EQ(renderErrorOf({ "--shading=flat", "--feature-angle=3" }),
     "--feature-angle and --shading=flat exclude each other; give one");
-  EXPECT_EQ(renderErrorOf({ "--feature-angle=181" }),
-    "--feature-angle=181 is not between 0 and 180 degrees");
+  EXPECT_EQ(
+    renderErrorOf({ "--feature-angle=181" }), "--feature-angle=181 is not from 0 to 180 degrees");
 }
 
 TEST(Arguments, PictureAndColoringAreRead)
@@ -647,6 +651,8 @@ TEST(Arguments, NumbersOutOfRangeAreToldFromWhatIsNone)
     { "--stroke-width=0." + std::string(400, '0') + "1", tiny },
     { "--stroke-width=1e-40", tiny },
     { "--stroke-width=1e-400mm", tiny },
+    { "--stroke-width=1" + std::string(400, '0') + "e-50", " is greater than 256 pixels" },
+    { "--stroke-width=0." + std::string(400, '0') + "1e20", tiny },
     { "--stroke-width=-1e-400", " is not greater than 0" },
     { "--stroke-dash=1e-40,1", tiny },
     { "--camera-parallel-scale=1e-320", tiny },
@@ -686,7 +692,7 @@ TEST(Arguments, ValuesOfImageLinesHaveTheirRanges)
   EXPECT_EQ(
     renderErrorOf({ image, "--outline-tolerance=-1" }), "--outline-tolerance=-1 is negative");
   EXPECT_EQ(renderErrorOf({ image, "--outline-crease-angle=181" }),
-    "--outline-crease-angle=181 is not between 0 and 180 degrees");
+    "--outline-crease-angle=181 is not from 0 to 180 degrees");
   EXPECT_EQ(renderErrorOf({ image, "--outline-detector=canny" }),
     "--outline-detector=canny is unknown; choose one of: plane, sobel, laplacian");
   EXPECT_EQ(renderErrorOf({ image, "--outline-crease-detector=plane" }),
