@@ -9,6 +9,8 @@
 #include "Rendering/CheckScene.h"
 #include "Rendering/Lines/DrawStrokes.h"
 #include "Rendering/Lines/ImageOutline.h"
+#include "Rendering/Lines/Panes.h"
+#include "Rendering/Lines/Veil.h"
 #include "Rendering/Post/ClearPixels.h"
 #include "Rendering/Post/CompositeTile.h"
 #include "Rendering/Post/DrawCues.h"
@@ -97,12 +99,14 @@ bool isToBeCleared(const FrameClear& clear, const TileRectangle& pixels,
 /// The translucent surfaces of a tile: clusters from `firstSlot` on.
 class TranslucentLayers {
  public:
+  /// `panes`, or null, get them too.
   TranslucentLayers(const TileClusters& clusters, std::size_t firstSlot,
-                    const TileRectangle& pixels, TileMemory& opaque)
+                    const TileRectangle& pixels, TilePanes* panes, TileMemory& opaque)
       : clusters_(clusters),
         firstSlot_(firstSlot),
         pixels_(pixels),
         samples_(clusters.scene->scene->samples),
+        panes_(panes),
         opaque_(opaque)
   {
   }
@@ -132,9 +136,10 @@ class TranslucentLayers {
       rasterize(rows);
       truncated = memory_.samples.settle();
     }
-    memory_.fragments.collect(clusters_, samples_, memory_.samples);
+    memory_.fragments.collect(clusters_, samples_, memory_.samples, panes_ != nullptr);
     opaque_.shader.shade(clusters_, pixels_, samples_, memory_.fragments);
     memory_.compositor.add(memory_.fragments);
+    if (panes_ != nullptr) panes_->add(clusters_, samples_, memory_.fragments);
     return truncated;
   }
   void rasterize(TileRows rows)
@@ -147,6 +152,7 @@ class TranslucentLayers {
   std::size_t firstSlot_;
   TileRectangle pixels_;
   int samples_;
+  TilePanes* panes_;
   TileMemory& opaque_;
   TranslucentMemory& memory_ = translucentMemory();
 };
@@ -161,11 +167,12 @@ void resolve(const TileClusters& clusters, const TileRectangle& pixels, const Fr
   resolveTile(clusters, memory.visible, pixels, memory.fragments, memory.colors, frame);
 }
 
-/// What passes over the finished picture need of it; either may be null.
+/// What passes over the finished picture need of it; any may be null.
 struct PassInputs {
   const LayerTarget* surfaces;
   Veil* veil;
-  TileRectangle veiled;  ///< pixels outside of which nothing changes what is below the veil
+  Panes* panes;
+  TileRectangle lines;  ///< pixels outside of which there are none
 };
 
 /// Draws pixels of the viewport, which lie at `place` in the frame.
@@ -174,7 +181,8 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
                        const TileRectangle& place, PassInputs passes)
 {
   const LayerTarget* const surfaces = passes.surfaces;
-  const bool isVeiled = passes.veil != nullptr && meet(pixels, passes.veiled);
+  const bool isVeiled = passes.veil != nullptr;
+  const bool hasPanes = passes.panes != nullptr && meet(pixels, passes.lines);
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
   const std::size_t opaque = orderClusters(scene, bins, tile, memory.ordered);
@@ -201,7 +209,8 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
     return stats;
   }
   writeSurfaces(nullptr);
-  TranslucentLayers layers(clusters, opaque, pixels, memory);
+  TranslucentLayers layers(clusters, opaque, pixels, hasPanes ? &passes.panes->tile(tile) : nullptr,
+                           memory);
   stats.truncatedPixels = layers.composite(frame, place, isVeiled);
   resolve(clusters, place, frame, memory);
   if (isVeiled)
@@ -293,8 +302,9 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   TileBins bins;
   if (Status status = binClusters(placed, options.threads, bins); !status.ok()) return status;
   const bool drawsStrokes = hasLines(scene);
-  if (drawsStrokes)
-    addTouched(boundStrokes(scene, frame.width, frame.height, options.threads), bins);
+  TileRectangle lines = {0, 0, 0, 0};
+  if (drawsStrokes) lines = boundStrokes(scene, frame.width, frame.height, options.threads);
+  addTouched(lines, bins);
   for (std::size_t tile = 0; tile < bins.grid.count(); ++tile)
     if (bins.clustersOf(tile).size() > TileOwner::kMaxClustersPerTile)
       return {Error::kTooManyPrimitives,
@@ -306,10 +316,10 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   const std::optional<LayerTarget> layers = layersFor(scene, frame);
   std::optional<Veil> veil;
   if (Veil::isNeeded(scene, frame)) veil.emplace(bins.grid.count());
-  TileRectangle veiled = {0, 0, frame.width, frame.height};
-  if (veil && !layers)
-    veiled = boundStrokes(scene, frame.width, frame.height, options.threads, LinesOf::kOpaque);
-  const PassInputs passes = {layers ? &*layers : nullptr, veil ? &*veil : nullptr, veiled};
+  std::optional<Panes> panes;
+  if (Panes::areNeeded(scene, frame)) panes.emplace(bins.grid.count());
+  const PassInputs passes = {layers ? &*layers : nullptr, veil ? &*veil : nullptr,
+                             panes ? &*panes : nullptr, lines};
   std::atomic<std::size_t> occluded = 0, truncated = 0;
   parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
     const TileStats drawn = drawTile(placed, bins, tile, frame, passes);
@@ -323,8 +333,9 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     if (std::any_of(scene.instances.begin(), scene.instances.end(), hasImageOutline))
       drawImageOutlines({scene, frame, layers->layers, touched, options.threads});
   }
-  if (drawsStrokes || veil)
-    drawStrokes(scene, frame, layers ? &layers->layers : nullptr, passes.veil, options.threads);
+  if (veil) veil->lay(frame, options.threads);
+  if (drawsStrokes)
+    drawStrokes(scene, frame, layers ? &layers->layers : nullptr, passes.panes, options.threads);
   stats.occludedClusters = occluded;
   stats.truncatedPixels = truncated;
   stats.tileMilliseconds = tileTime.milliseconds();

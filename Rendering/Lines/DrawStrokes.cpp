@@ -92,9 +92,6 @@ class StrokeBins {
   std::vector<std::uint32_t> first_, piece_;
 };
 
-/// What is painted of a group: all, what translucent surfaces lie before or what lies before them.
-enum class StrokeLayer { kNone, kAll, kBelow, kBefore };
-
 /// The strokes of one tile, group by group.
 class TilePainter {
  public:
@@ -110,18 +107,16 @@ class TilePainter {
     open_->begin(tile);
   }
 
-  /// Paints what `layerOf` says of a group.
-  template <class LayerOf>
-  void paint(Span<const std::uint32_t> pieces, const LayerOf& layerOf)
+  /// Paints the groups that `isWanted` names.
+  template <class IsWanted>
+  void paint(Span<const std::uint32_t> pieces, const IsWanted& isWanted)
   {
     std::size_t next = 0;
     for (const StrokeGroup& group : plan_.groups) {
       const std::size_t first = next;
       while (next < pieces.size() && pieces[next] < group.endPiece)
         ++next;
-      const StrokeLayer layer = layerOf(group);
-      if (next > first && layer != StrokeLayer::kNone)
-        paintGroup(group, {pieces.data() + first, next - first}, layer);
+      if (next > first && isWanted(group)) paintGroup(group, {pieces.data() + first, next - first});
     }
   }
   /// Appends what goes to FrameView::linePixels.
@@ -130,19 +125,18 @@ class TilePainter {
     if (open_ != nullptr) open_->collect(frame_, samples_, linePixels);
   }
 
-  /// For StrokeLayer::kBelow and kBefore.
-  void setVeil(const VeiledTile& veil)
+  void setPanes(const TilePanes& panes)
   {
-    thread_local std::vector<float> nearest;
-    nearest.assign(kTilePixels, -1.0f);
-    for (const VeiledPixel& pixel : veil.pixels)
-      nearest[static_cast<std::size_t>((pixel.y - tile_.y0) * kTileSide + pixel.x - tile_.x0)] =
-          pixel.nearest;
-    veil_ = nearest.data();
+    thread_local std::vector<const TilePanes::Pixel*> ofPixel;
+    ofPixel.assign(kTilePixels, nullptr);
+    for (const TilePanes::Pixel& one : panes.pixels())
+      ofPixel[one.pixel] = &one;
+    panes_ = &panes;
+    panesOf_ = ofPixel.data();
   }
 
  private:
-  void paintGroup(const StrokeGroup& group, Span<const std::uint32_t> pieces, StrokeLayer layer)
+  void paintGroup(const StrokeGroup& group, Span<const std::uint32_t> pieces)
   {
     std::fill_n(memory_->coverage, kTilePixels, 0.0f);
     std::fill_n(memory_->depth, kTilePixels, kNoDepth);
@@ -162,10 +156,13 @@ class TilePainter {
         const float coverage = memory_->coverage[y * kTileSide + x];
         const float depth = memory_->depth[y * kTileSide + x];
         if (!(coverage > 0)) continue;
-        if (layer != StrokeLayer::kAll &&
-            (depth < veil_[y * kTileSide + x]) != (layer == StrokeLayer::kBefore))
-          continue;
-        blend.blend(tile_.x0 + x, tile_.y0 + y, coverage, depth);
+        const TilePanes::Pixel* const over =
+            panes_ == nullptr ? nullptr : panesOf_[y * kTileSide + x];
+        if (over == nullptr)
+          blend.blend(tile_.x0 + x, tile_.y0 + y, coverage, depth);
+        else
+          blend.blend(tile_.x0 + x, tile_.y0 + y, coverage, depth,
+                      panes_->before(*over, group.color, depth, group.instance));
       }
   }
 
@@ -175,7 +172,8 @@ class TilePainter {
   int samples_;
   TileRectangle tile_;
   StrokeTile* memory_;
-  const float* veil_ = nullptr;  ///< depth of the nearest translucent surface; -1 of none
+  const TilePanes* panes_ = nullptr;
+  const TilePanes::Pixel* const* panesOf_ = nullptr;  ///< by pixel; null of those without
   OpenSamples* open_ = nullptr;
 };
 
@@ -233,25 +231,22 @@ bool hasLines(const Scene& scene)
                      [](const Instance& instance) { return !instance.lines.empty(); });
 }
 
-TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads,
-                           LinesOf instances)
+TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads)
 {
   ScreenBox box;
-  for (const Instance& instance : scene.instances) {
-    if (instances == LinesOf::kOpaque && instance.isTranslucent()) continue;
+  for (const Instance& instance : scene.instances)
     for (const LineSet& set : instance.lines)
       box.add(boxOf(set, LinePlace(scene.camera, instance.modelToWorld, width, height), threads));
-  }
   if (box.x0 > box.x1) return {0, 0, 0, 0};
   return {pixelOf(std::floor(box.x0), width), pixelOf(std::floor(box.y0), height),
           pixelOf(std::ceil(box.x1), width), pixelOf(std::ceil(box.y1), height)};
 }
 
 void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
-                 const Veil* veil, int threads)
+                 const Panes* panes, int threads)
 {
   const StrokePlan plan = findStrokePieces(scene, frame, threads);
-  if (plan.pieces.empty() && veil == nullptr) return;
+  if (plan.pieces.empty()) return;
   const TileGrid grid = {frame.width, frame.height};
   StrokeBins bins(plan, grid, threads);
   std::optional<HaloCut> cut;
@@ -259,28 +254,16 @@ void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers
   std::vector<std::vector<LinePixel>> linePixels(grid.count());
   parallelFor(threads, grid.count(), [&](std::size_t tile) {
     const Span<const std::uint32_t> pieces = bins.sorted(tile);
-    if (pieces.empty()) {
-      if (veil != nullptr) veil->lay(tile, frame);
-      return;
-    }
+    if (pieces.empty()) return;
     TilePainter painter(plan, frame, cut ? &*cut : nullptr, scene.samples, grid.rectangle(tile));
-    if (veil == nullptr) {
-      painter.paint(pieces, [](const StrokeGroup&) { return StrokeLayer::kAll; });
+    if (panes == nullptr) {
+      painter.paint(pieces, [](const StrokeGroup&) { return true; });
     } else {
-      const bool hasVeil = !veil->tile(tile).pixels.empty();
-      const auto isTranslucent = [&](const StrokeGroup& group) {
-        return scene.instances[group.instance].isTranslucent();
-      };
-      if (hasVeil) painter.setVeil(veil->tile(tile));
-      painter.paint(pieces, [&](const StrokeGroup& group) {
-        if (isTranslucent(group)) return StrokeLayer::kNone;
-        return hasVeil ? StrokeLayer::kBelow : StrokeLayer::kAll;
-      });
-      veil->lay(tile, frame);
-      painter.paint(pieces, [&](const StrokeGroup& group) {
-        if (isTranslucent(group)) return StrokeLayer::kAll;
-        return hasVeil ? StrokeLayer::kBefore : StrokeLayer::kNone;
-      });
+      painter.setPanes(panes->tile(tile));
+      for (const bool isTranslucent : {false, true})
+        painter.paint(pieces, [&](const StrokeGroup& group) {
+          return scene.instances[group.instance].isTranslucent() == isTranslucent;
+        });
     }
     painter.collect(linePixels[tile]);
   });

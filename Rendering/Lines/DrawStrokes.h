@@ -4,8 +4,8 @@
 
 #include "Rendering/Binning/TileGrid.h"
 #include "Rendering/FrameView.h"
+#include "Rendering/Lines/Panes.h"
 #include "Rendering/Lines/SurfaceLayers.h"
-#include "Rendering/Lines/Veil.h"
 #include "Rendering/Scene.h"
 
 namespace limn {
@@ -13,11 +13,8 @@ namespace limn {
 /// Whether any instance has lines.
 bool hasLines(const Scene& scene);
 
-enum class LinesOf { kAll, kOpaque };
-
-/// Pixels outside of which no stroke of these instances has any; empty if x0 >= x1.
-TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads,
-                           LinesOf instances = LinesOf::kAll);
+/// Pixels outside of which no stroke has any; empty if x0 >= x1.
+TileRectangle boundStrokes(const Scene& scene, int width, int height, int threads);
 
 /// Draws the scene's lines over its finished surfaces, which `frame` holds, as Instance::lines
 /// says: the bytes of Reference/ReferenceStrokes. With Background::kBlend colours become
@@ -27,9 +24,10 @@ TileRectangle boundStrokes(const Scene& scene, int width, int height, int thread
 /// where a is 1, and none elsewhere, where a line makes the premultiplied color P of the samples,
 /// alpha too, into P + (line - P) a, in float until all lines are drawn. Depths become those of the
 /// nearest line where a >= 1/2, or the pixel was not covered before, and it is nearer. `layers` are
-/// the frame's, or null; their halos take from the coverage. `veil`, or null, is laid over the
-/// lines of opaque instances that are not nearer than all of it, and the other lines over that.
+/// the frame's, or null; their halos take from the coverage. With `panes`, or null, a line is seen
+/// behind the translucent surfaces of other instances that are before it, and lines of translucent
+/// instances are drawn after all others.
 void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
-                 const Veil* veil, int threads);
+                 const Panes* panes, int threads);
 
 }  // namespace limn

@@ -25,9 +25,9 @@ std::uint8_t mixedByte(std::uint8_t old, float line, float a)
   return roundedByte(mixed(old, line, a));
 }
 
-float fullByte(float channel)
+float full(float channel)
 {
-  return (channel < 1.0f ? channel : 1.0f) * 255.0f;
+  return channel < 1.0f ? channel : 1.0f;
 }
 
 }  // namespace
@@ -77,14 +77,19 @@ StrokeBlend::StrokeBlend(const StrokeGroup& group, const FrameView& frame, const
       open_(open),
       instance_(group.instance),
       opacity_(group.opacity),
-      radiance_(group.color),
-      bytes_{fullByte(group.color.x), fullByte(group.color.y), fullByte(group.color.z), 255.0f},
+      own_(inkOf({{full(group.color.x), full(group.color.y), full(group.color.z)}, group.color})),
       samples_(static_cast<std::uint32_t>(samples)),
       keepsApart_(frame.background == Background::kKeepApart && frame.coverage != nullptr)
 {
 }
 
-void StrokeBlend::blend(int x, int y, float coverage, float depth) const
+StrokeBlend::Ink StrokeBlend::inkOf(const LineColor& line)
+{
+  const Vec3f c = line.color;
+  return {{c.x * 255.0f, c.y * 255.0f, c.z * 255.0f, 255.0f}, line.radiance};
+}
+
+void StrokeBlend::blend(int x, int y, float coverage, float depth, const Ink& ink) const
 {
   if (cut_ != nullptr) {
     coverage *= 1.0f - cut_->shareAt(x, y, depth, instance_);
@@ -94,28 +99,28 @@ void StrokeBlend::blend(int x, int y, float coverage, float depth) const
   const float a = coverage * opacity_;
   Shown shown = Shown::kMore;
   if (!keepsApart_)
-    mix(index, a);
+    mix(index, a, ink);
   else if (open_ == nullptr)
     shown = blendSamples(index, a);
   else {
     const std::uint32_t open = samples_ - bitCount(frame_.coverage[index]);
     shown = coverSamples(index, a, a < 1.0f ? 0 : open);
-    if (a < 1.0f && open > 0) open_->add(x, y, bytes_, a, depth);
+    if (a < 1.0f && open > 0) open_->add(x, y, ink.bytes, a, depth);
   }
   const bool isItsDepth = shown == Shown::kFirst || (shown == Shown::kMore && a >= 0.5f);
   if (isItsDepth && depth < frame_.depth[index]) frame_.depth[index] = depth;
 }
 
-void StrokeBlend::mix(std::ptrdiff_t index, float a) const
+void StrokeBlend::mix(std::ptrdiff_t index, float a, const Ink& ink) const
 {
   Rgba8& color = frame_.color[index];
-  color = {mixedByte(color.r, bytes_.x, a), mixedByte(color.g, bytes_.y, a),
-           mixedByte(color.b, bytes_.z, a), mixedByte(color.a, bytes_.w, a)};
+  color = {mixedByte(color.r, ink.bytes.x, a), mixedByte(color.g, ink.bytes.y, a),
+           mixedByte(color.b, ink.bytes.z, a), mixedByte(color.a, ink.bytes.w, a)};
   if (frame_.radiance.empty()) return;
   const RadianceView& planes = frame_.radiance;
-  planes.r[index] = mixed(planes.r[index], radiance_.x, a);
-  planes.g[index] = mixed(planes.g[index], radiance_.y, a);
-  planes.b[index] = mixed(planes.b[index], radiance_.z, a);
+  planes.r[index] = mixed(planes.r[index], ink.radiance.x, a);
+  planes.g[index] = mixed(planes.g[index], ink.radiance.y, a);
+  planes.b[index] = mixed(planes.b[index], ink.radiance.z, a);
 }
 
 StrokeBlend::Shown StrokeBlend::blendSamples(std::ptrdiff_t index, float a) const
@@ -134,7 +139,7 @@ StrokeBlend::Shown StrokeBlend::coverSamples(std::ptrdiff_t index, float a,
   // Of all samples that are covered now, the line's share.
   const float share =
       (static_cast<float>(more) + a * static_cast<float>(old)) / static_cast<float>(old + more);
-  mix(index, share);
+  mix(index, share, own_);
   for (std::uint32_t s = 0, left = more; left > 0; ++s) {
     if ((bits >> s & 1u) != 0) continue;
     bits |= 1u << s;

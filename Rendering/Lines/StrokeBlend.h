@@ -5,6 +5,7 @@
 #include "Rendering/Binning/TileGrid.h"
 #include "Rendering/FrameView.h"
 #include "Rendering/Lines/HaloCut.h"
+#include "Rendering/Lines/Panes.h"
 #include "Rendering/Lines/StrokePieces.h"
 
 #include <cstddef>
@@ -43,12 +44,27 @@ class StrokeBlend {
   StrokeBlend(const StrokeGroup& group, const FrameView& frame, const HaloCut* cut,
               OpenSamples* open, int samples);
 
-  void blend(int x, int y, float coverage, float depth) const;
+  /// In the group's color.
+  void blend(int x, int y, float coverage, float depth) const
+  {
+    blend(x, y, coverage, depth, own_);
+  }
+  /// In what translucent surfaces make of it.
+  void blend(int x, int y, float coverage, float depth, const LineColor& color) const
+  {
+    blend(x, y, coverage, depth, inkOf(color));
+  }
 
  private:
   enum class Shown { kNothing, kMore, kFirst };
+  struct Ink {
+    Vec4f bytes;  ///< of which 255 is full
+    Vec3f radiance;
+  };
+  static Ink inkOf(const LineColor& color);
 
-  void mix(std::ptrdiff_t index, float a) const;
+  void blend(int x, int y, float coverage, float depth, const Ink& ink) const;
+  void mix(std::ptrdiff_t index, float a, const Ink& ink) const;
   /// Whether the pixel shows something, and whether only now.
   Shown blendSamples(std::ptrdiff_t index, float a) const;
   Shown coverSamples(std::ptrdiff_t index, float a, std::uint32_t more) const;
@@ -58,8 +74,7 @@ class StrokeBlend {
   OpenSamples* open_;
   std::uint32_t instance_;
   float opacity_;
-  Vec3f radiance_;
-  Vec4f bytes_;
+  Ink own_;
   std::uint32_t samples_;
   bool keepsApart_;
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/Veil.h"
 
+#include "Rendering/Base/Executor.h"
 #include "Rendering/Lines/PaintLayer.h"
 #include "Rendering/Lines/SurfaceLayers.h"
 
@@ -17,15 +18,18 @@ bool Veil::isNeeded(const Scene& scene, const FrameView& frame)
   };
   return isAny([](const Instance& one) { return one.isTranslucent(); }) &&
          isAny([](const Instance& one) {
-           return !one.isTranslucent() &&
-                  (!one.lines.empty() || hasImageOutline(one) || hasCues(one));
+           return !one.isTranslucent() && (hasImageOutline(one) || hasCues(one));
          });
 }
 
-void Veil::lay(std::size_t tile, const FrameView& frame) const
+void Veil::lay(const FrameView& frame, int threads) const
+{
+  parallelFor(threads, tiles_.size(), [&](std::size_t tile) { lay(tiles_[tile], frame); });
+}
+
+void Veil::lay(const VeiledTile& all, const FrameView& frame)
 {
   const RadianceView& radiance = frame.radiance;
-  const VeiledTile& all = tiles_[tile];
   for (std::size_t i = 0; i < all.pixels.size(); ++i) {
     const VeiledPixel& veiled = all.pixels[i];
     const std::ptrdiff_t index = veiled.y * frame.rowStride + veiled.x;

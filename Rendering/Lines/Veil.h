@@ -11,13 +11,12 @@
 
 namespace limn {
 
-/// A pixel with translucent surfaces, which lie over lines too: those of opaque surfaces are drawn
-/// on the picture without them.
+/// A pixel with translucent surfaces, which lie over what outlines from the picture and depth cues
+/// make of opaque ones: these are drawn on the picture without them.
 struct VeiledPixel {
   std::uint16_t x, y;
   Rgba8 below, seen;  ///< without and with translucent surfaces
   float rest;         ///< the share of `below` in `seen`, mean over the samples
-  float nearest;      ///< depth of the nearest translucent surface: nearer lines lie before all
 };
 struct VeiledRadiance {
   Vec3f below, seen;
@@ -30,17 +29,18 @@ struct VeiledTile {
 /// The translucent surfaces over a frame, tile by tile.
 class Veil {
  public:
-  /// Whether lines or cues change what translucent surfaces lie before. With
+  /// Whether outlines or cues change what translucent surfaces lie before. With
   /// Background::kKeepApart never: nobody knows what lies below.
   static bool isNeeded(const Scene& scene, const FrameView& frame);
 
   explicit Veil(std::size_t tiles) : tiles_(tiles) {}
   VeiledTile& tile(std::size_t number) { return tiles_[number]; }
-  const VeiledTile& tile(std::size_t number) const { return tiles_[number]; }
   /// Where the frame's pixel became N from `below`, it becomes seen + rest (N - below).
-  void lay(std::size_t tile, const FrameView& frame) const;
+  void lay(const FrameView& frame, int threads) const;
 
  private:
+  static void lay(const VeiledTile& all, const FrameView& frame);
+
   std::vector<VeiledTile> tiles_;
 };
 

@@ -106,15 +106,6 @@ bool TileCompositor::findOpaque(std::uint32_t pixel, std::ptrdiff_t index)
   return samples_ == 1 || fragments_->coverage[first] == all;
 }
 
-/// In the same order.
-bool TileCompositor::haveSameLayers(const std::uint32_t* layers) const
-{
-  const std::size_t length = 1 + layers[0];
-  for (std::uint32_t s = 1; s < samples_; ++s)
-    if (!std::equal(layers, layers + length, layers + s * length)) return false;
-  return true;
-}
-
 void TileCompositor::cover(const TranslucentFragments& fragments, const std::uint32_t* layers,
                            std::uint32_t count, Sample& sample) const
 {
@@ -177,7 +168,7 @@ void TileCompositor::addPixel(const TranslucentFragments& fragments,
   const TilePlace place(tile_, *frame_);
   const bool isUniform = findOpaque(touched.pixel, place.indexOf(touched.pixel));
   const std::uint32_t* layers = fragments.layers() + touched.first;
-  if (isUniform && haveSameLayers(layers)) {
+  if (isUniform && fragments.areSameInAll(touched, samples_)) {
     cover(fragments, layers + 1, layers[0], sample_[0]);
     pixels_.push_back(meanOfEqual(touched.pixel));
     return;
@@ -234,9 +225,7 @@ void TileCompositor::add(const TranslucentFragments& fragments)
       addSinglePixel(fragments, touched);
     else
       addPixel(fragments, touched);
-    if (!isVeiled_) continue;
-    pixels_.back().rest = restOf(fragments, fragments.layers() + touched.first);
-    pixels_.back().nearest = touched.nearest;
+    if (isVeiled_) pixels_.back().rest = restOf(fragments, fragments.layers() + touched.first);
   }
 }
 
@@ -265,7 +254,7 @@ void TileCompositor::veil(const TileRectangle& pixels, VeiledTile& veiled) const
               row = static_cast<int>(pixel.pixel / kTileSide);
     veiled.pixels.push_back({static_cast<std::uint16_t>(pixels.x0 + column),
                              static_cast<std::uint16_t>(pixels.y0 + row), frame_->color[index],
-                             pixel.color, pixel.rest, pixel.nearest});
+                             pixel.color, pixel.rest});
     if (frame_->coverage != nullptr)
       frame_->coverage[index] = static_cast<std::uint8_t>(pixel.coverage);
     if (!hasRadiance_) continue;

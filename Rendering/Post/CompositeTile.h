@@ -39,9 +39,7 @@ class TileCompositor {
     Rgba8 color;
     Vec3f radiance;
     std::uint16_t coverage;
-    // Only if veiled:
-    float rest = 0;     ///< of what is below, mean over the samples
-    float nearest = 0;  ///< translucent depth
+    float rest = 0;  ///< of what is below, mean over the samples; only if veiled
   };
   /// Returns whether all samples are the same.
   bool findOpaque(std::uint32_t pixel, std::ptrdiff_t index);
@@ -50,7 +48,6 @@ class TileCompositor {
   Rgba8 opaqueColor(std::uint32_t pixel, std::ptrdiff_t index) const;
   void addSinglePixel(const TranslucentFragments& fragments, TranslucentFragments::Pixel touched);
   void addPixel(const TranslucentFragments& fragments, TranslucentFragments::Pixel touched);
-  bool haveSameLayers(const std::uint32_t* layers) const;
   float restOf(const TranslucentFragments& fragments, const std::uint32_t* layers) const;
   void cover(const TranslucentFragments& fragments, const std::uint32_t* layers,
              std::uint32_t count, Sample& sample) const;

@@ -361,19 +361,32 @@ class Picture {
         resolve(x, y);
   }
 
-  /// Of all pixels, row by row; -1: there is none.
-  std::vector<float> nearestTranslucent()
+  /// A line of an instance behind the translucent surfaces of others.
+  SeenLine behindPanes(int x, int y, Vec3f line, float depth, std::uint32_t instance)
   {
-    std::vector<float> nearest;
-    for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x) {
-        float depth = 2;
-        for (std::size_t s = 0; !layers_.empty() && s < offsets_.size(); ++s)
-          for (const Sample& layer : layers(x, y, s))
-            depth = std::min(depth, layer.depth);
-        nearest.push_back(depth < 2 ? depth : -1);
+    const auto full = [](Vec3f c) {
+      return Vec3f{std::min(c.x, 1.0f), std::min(c.y, 1.0f), std::min(c.z, 1.0f)};
+    };
+    if (!hasLayers(x, y)) return {full(line), line};
+    const std::map<Owner, Vec4f> shaded = shadeLayers(x, y);
+    // Where all samples show the same, the first one's depths are those of all.
+    const std::size_t samples = haveSameLayers(x, y) ? 1 : offsets_.size();
+    Vec3f colors = {0, 0, 0}, bright = {0, 0, 0};
+    for (std::size_t s = 0; s < samples; ++s) {
+      Vec3f color = full(line), radiance = line;
+      for (const Sample& layer : layers(x, y, s)) {
+        if (layer.depth > depth || layer.owner.instance == instance) continue;
+        const Vec4f c = shaded.at(layer.owner);
+        const Vec3f own = {c.x, c.y, c.z};
+        color = full(own) * c.w + color * (1.0f - c.w);
+        radiance = own * c.w + radiance * (1.0f - c.w);
       }
-    return nearest;
+      colors = colors + color;
+      bright = bright + radiance;
+    }
+    const auto count = static_cast<float>(samples);
+    return {{colors.x / count, colors.y / count, colors.z / count},
+            {bright.x / count, bright.y / count, bright.z / count}};
   }
 
   /// Lays the translucent surfaces over what is below them by now: what is seen changes by the
@@ -600,6 +613,19 @@ class Picture {
       colors[owner] = {radiance(c.x), radiance(c.y), radiance(c.z), a};
     }
     return colors;
+  }
+
+  /// The same triangles in the same order in all samples.
+  bool haveSameLayers(int x, int y)
+  {
+    const std::vector<Sample>& first = layers(x, y, 0);
+    for (std::size_t s = 1; s < offsets_.size(); ++s) {
+      const std::vector<Sample>& other = layers(x, y, s);
+      if (!std::equal(first.begin(), first.end(), other.begin(), other.end(),
+                      [](const Sample& a, const Sample& b) { return a.owner == b.owner; }))
+        return false;
+    }
+    return true;
   }
 
   bool hasLayers(int x, int y)
@@ -833,17 +859,26 @@ class Picture {
   std::vector<Veiled> veiled_;
 };
 
-/// Whether lines or cues change what translucent surfaces lie before.
+/// Whether outlines or cues change what translucent surfaces lie before.
 bool isVeiled(const Scene& scene, const FrameView& frame)
 {
   bool isBelow = false, isAbove = false;
   for (const Instance& instance : scene.instances)
     if (instance.isTranslucent())
       isAbove = true;
-    else if (!instance.lines.empty() || hasCues(instance) ||
-             instance.style.imageOutline.detector != OutlineDetector::kNone)
+    else if (hasCues(instance) || instance.style.imageOutline.detector != OutlineDetector::kNone)
       isBelow = true;
   return isBelow && isAbove && frame.background == Background::kBlend;
+}
+
+/// Whether a translucent instance may lie before a line of another one.
+bool hasPanes(const Scene& scene, const FrameView& frame)
+{
+  for (const Instance& lined : scene.instances)
+    for (const Instance& pane : scene.instances)
+      if (!lined.lines.empty() && pane.isTranslucent() && &pane != &lined)
+        return frame.background == Background::kBlend;
+  return false;
 }
 
 }  // namespace
@@ -864,8 +899,13 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   if (areCued || areOutlined) layers = picture.layersOfAll();
   if (areCued) drawCues(scene, frame, layers);
   if (areOutlined) drawOutlines(scene, frame, layers);
-  const StrokeVeil veil = {[&] { picture.layVeil(); }, picture.nearestTranslucent()};
-  drawStrokes(scene, frame, layers, hasVeil ? &veil : nullptr);
+  if (hasVeil) picture.layVeil();
+  PanesOver panes;
+  if (hasPanes(scene, frame))
+    panes = [&](int x, int y, Vec3f color, float depth, std::uint32_t instance) {
+      return picture.behindPanes(x, y, color, depth, instance);
+    };
+  drawStrokes(scene, frame, layers, panes);
   return truncated;
 }
 

@@ -76,10 +76,12 @@ constexpr int kBlock = 64;  ///< lines are told by their distance to the corner 
 
 class Lines {
  public:
-  Lines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
+  Lines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
+        const PanesOver& panes)
       : scene_(scene),
         frame_(frame),
         layers_(layers),
+        panes_(panes),
         toView_(scene.camera, frame.width, frame.height)
   {
     const auto pixels =
@@ -93,21 +95,12 @@ class Lines {
     if (isSplit()) open_.resize(pixels, Open{{0, 0, 0, 0}, 1});
   }
 
-  void draw(const StrokeVeil* veil)
+  void draw()
   {
     for (const Instance& instance : scene_.instances)
-      if (veil == nullptr)
-        draw(instance, [](std::size_t, float) { return true; });
-      else if (!instance.isTranslucent())
-        draw(instance,
-             [&](std::size_t pixel, float depth) { return depth >= veil->nearest[pixel]; });
-    if (veil != nullptr) {
-      veil->lay();
-      for (const Instance& instance : scene_.instances)
-        draw(instance, [&](std::size_t pixel, float depth) {
-          return instance.isTranslucent() || depth < veil->nearest[pixel];
-        });
-    }
+      if (!panes_ || !instance.isTranslucent()) draw(instance);
+    for (const Instance& instance : scene_.instances)
+      if (panes_ && instance.isTranslucent()) draw(instance);
     if (isSplit()) listOpen();
   }
 
@@ -125,8 +118,7 @@ class Lines {
            frame_.linePixels != nullptr;
   }
 
-  /// Where isWanted(pixel, depth) holds.
-  void draw(const Instance& instance, const std::function<bool(std::size_t, float)>& isWanted)
+  void draw(const Instance& instance)
   {
     for (std::size_t i = 0; i < instance.lines.size(); ++i) {
       const LineSet& set = instance.lines[i];
@@ -134,7 +126,7 @@ class Lines {
       if (i == 0 || !(instance.lines[i - 1].style == set.style)) begin();
       cover(instance, set);
       if (i + 1 == instance.lines.size() || !(instance.lines[i + 1].style == set.style))
-        blend(set.style, instance, isWanted);
+        blend(set.style, instance);
     }
   }
 
@@ -536,16 +528,19 @@ class Lines {
     depth_[at] = std::min(depth_[at], piece.depthA + t * (piece.depthB - piece.depthA));
   }
 
-  void blend(const LineStyle& style, const Instance& instance,
-             const std::function<bool(std::size_t, float)>& isWanted)
+  void blend(const LineStyle& style, const Instance& instance)
   {
     const auto number = static_cast<std::uint32_t>(&instance - scene_.instances.data());
     for (int y = 0; y < frame_.height; ++y)
       for (int x = 0; x < frame_.width; ++x) {
         const float depth = depth_[pixel(x, y)];
         const float seen = coverage_[pixel(x, y)] * (1.0f - cutShare(x, y, depth, number));
-        if (seen > 0.0f && isWanted(pixel(x, y), depth))
-          blendPixel(style, y * frame_.rowStride + x, seen * style.opacity, depth);
+        if (!(seen > 0.0f)) continue;
+        const Vec3f c = style.color;
+        const SeenLine line =
+            panes_ ? panes_(x, y, c, depth, number)
+                   : SeenLine{{std::min(c.x, 1.0f), std::min(c.y, 1.0f), std::min(c.z, 1.0f)}, c};
+        blendPixel(line, y * frame_.rowStride + x, seen * style.opacity, depth);
       }
   }
 
@@ -591,7 +586,7 @@ class Lines {
     return width == 0 ? 0.0f : std::clamp(width + 0.5f - fromBorder, 0.0f, 1.0f);
   }
 
-  void blendPixel(const LineStyle& style, std::ptrdiff_t index, float a, float depth)
+  void blendPixel(const SeenLine& line, std::ptrdiff_t index, float a, float depth)
   {
     float share = a;
     bool isNew = false;
@@ -603,7 +598,7 @@ class Lines {
       int more = static_cast<int>(std::floor(a * static_cast<float>(open.size()) + 0.5f));
       if (isSplit() && a < 1) {
         more = 0;
-        addOpen(style, index, a, depth);
+        addOpen(line.color, index, a, depth);
       }
       if (covered + more == 0) return;
       share = (static_cast<float>(more) + a * static_cast<float>(covered)) /
@@ -613,32 +608,29 @@ class Lines {
                                                            1 << open[static_cast<std::size_t>(i)]);
       isNew = covered == 0;
     }
-    const auto mixed = [&](float old, float line) { return old + (line - old) * share; };
-    const auto byte = [&](std::uint8_t old, float line) {
-      return static_cast<std::uint8_t>(
-          std::floor(mixed(old, std::min(line, 1.0f) * 255.0f) + 0.5f));
+    const auto mixed = [&](float old, float own) { return old + (own - old) * share; };
+    const auto byte = [&](std::uint8_t old, float own) {
+      return static_cast<std::uint8_t>(std::floor(mixed(old, own * 255.0f) + 0.5f));
     };
     Rgba8& color = frame_.color[index];
-    color = {byte(color.r, style.color.x), byte(color.g, style.color.y),
-             byte(color.b, style.color.z), byte(color.a, 1.0f)};
+    color = {byte(color.r, line.color.x), byte(color.g, line.color.y), byte(color.b, line.color.z),
+             byte(color.a, 1.0f)};
     const RadianceView& planes = frame_.radiance;
     if (!planes.empty()) {
-      planes.r[index] = mixed(planes.r[index], style.color.x);
-      planes.g[index] = mixed(planes.g[index], style.color.y);
-      planes.b[index] = mixed(planes.b[index], style.color.z);
+      planes.r[index] = mixed(planes.r[index], line.radiance.x);
+      planes.g[index] = mixed(planes.g[index], line.radiance.y);
+      planes.b[index] = mixed(planes.b[index], line.radiance.z);
     }
     if ((a >= 0.5f || isNew) && depth < frame_.depth[index]) frame_.depth[index] = depth;
   }
 
-  void addOpen(const LineStyle& style, std::ptrdiff_t index, float a, float depth)
+  void addOpen(Vec3f line, std::ptrdiff_t index, float a, float depth)
   {
     Open& open = open_[pixel(static_cast<int>(index % frame_.rowStride),
                              static_cast<int>(index / frame_.rowStride))];
-    const auto over = [&](float old, float line) {
-      return old + (std::min(line, 1.0f) * 255.0f - old) * a;
-    };
-    open.color = {over(open.color.x, style.color.x), over(open.color.y, style.color.y),
-                  over(open.color.z, style.color.z), over(open.color.w, 1.0f)};
+    const auto over = [&](float old, float own) { return old + (own * 255.0f - old) * a; };
+    open.color = {over(open.color.x, line.x), over(open.color.y, line.y),
+                  over(open.color.z, line.z), over(open.color.w, 1.0f)};
     open.depth = std::min(open.depth, depth);
   }
 
@@ -666,6 +658,7 @@ class Lines {
   const Scene& scene_;
   const FrameView& frame_;
   const std::vector<Layer>& layers_;
+  const PanesOver& panes_;
   ScreenToView toView_;
   Mat4d toClip_ = Mat4d::identity();
   std::vector<float> old_;               ///< depths of the surfaces
@@ -676,14 +669,11 @@ class Lines {
 }  // namespace
 
 void drawStrokes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
-                 const StrokeVeil* veil)
+                 const PanesOver& panes)
 {
   const bool isAny = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const Instance& one) { return !one.lines.empty(); });
-  if (isAny)
-    Lines(scene, frame, layers).draw(veil);
-  else if (veil != nullptr)
-    veil->lay();
+  if (isAny) Lines(scene, frame, layers, panes).draw();
 }
 
 }  // namespace limn::reference

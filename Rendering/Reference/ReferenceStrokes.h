@@ -9,18 +9,20 @@
 
 namespace limn::reference {
 
-/// Translucent surfaces over the picture.
-struct StrokeVeil {
-  std::function<void()> lay;
-  std::vector<float> nearest;  ///< depth of a pixel's nearest, row by row; -1: it has none
+/// What a line looks like behind the translucent surfaces that are before it.
+struct SeenLine {
+  Vec3f color;  ///< 0 to 1
+  Vec3f radiance;
 };
+/// Of a line in a pixel, of this depth and of this instance.
+using PanesOver =
+    std::function<SeenLine(int x, int y, Vec3f color, float depth, std::uint32_t instance)>;
 
 /// Instance::lines over a picture of all surfaces, by the shortest obvious scalar code: every line
 /// against every pixel of its box. The oracle for Lines/DrawStrokes. `layers` are those of all
-/// pixels, whose halos cut what lies behind them, or empty. `veil` may be null: it is laid over the
-/// lines of opaque instances, but where these are nearer than all of it, and lines of translucent
-/// instances over that.
+/// pixels, whose halos cut what lies behind them, or empty. With `panes`, which may be empty, lines
+/// are seen behind translucent surfaces, and those of translucent instances come last.
 void drawStrokes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
-                 const StrokeVeil* veil);
+                 const PanesOver& panes);
 
 }  // namespace limn::reference

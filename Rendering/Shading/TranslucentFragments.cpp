@@ -17,6 +17,7 @@ void TranslucentFragments::reserve(const TranslucentTile& tile, int samples)
   const std::size_t most = tile.count();
   const std::size_t numbers = most + static_cast<std::size_t>(kTilePixels * samples);
   if (layers_.size() < numbers) layers_.resize(numbers);
+  if (keepsDepths_ && depth_.size() < numbers) depth_.resize(numbers);
   if (order_.size() >= most) return;
   for (Array<std::uint32_t>* array : {&owner_, &pixel_, &order_, &fragment_, &older_,
                                       &rest_.fragment, &rest_.owner, &rest_.pixel})
@@ -111,8 +112,9 @@ void TranslucentFragments::sortByPixel(const TranslucentTile& tile)
 }
 
 void TranslucentFragments::collect(const TileClusters& clusters, int samples,
-                                   const TranslucentTile& tile)
+                                   const TranslucentTile& tile, bool keepsDepths)
 {
+  keepsDepths_ = keepsDepths;
   reserve(tile, samples);
   isEachItsOwn_ = samples == 1 && !tile.hasPieces();
   if (isEachItsOwn_)
@@ -125,10 +127,7 @@ void TranslucentFragments::collect(const TileClusters& clusters, int samples,
   touched_.clear();
   for (std::uint32_t pixel = 0; pixel < kTilePixels; ++pixel) {
     if (first_[pixel] == first_[pixel + 1]) continue;
-    float nearest = 1;
-    for (std::uint32_t k = first_[pixel]; k < first_[pixel + 1]; ++k)
-      nearest = std::min(nearest, tile.depth(order_[k]));
-    touched_.push_back({pixel, layerCount_, nearest});
+    touched_.push_back({pixel, layerCount_});
     collectPixel(clusters, samples, tile, pixel);
   }
 }
@@ -163,8 +162,19 @@ void TranslucentFragments::addLayers(const TileClusters& clusters, std::uint32_t
   sortLayers(clusters, first, end);
   if (isRepeated_[pixel]) first = withoutRepetition(first, end);
   layers_[layerCount_++] = static_cast<std::uint32_t>(end - first);
-  for (; first != end; ++first)
+  for (; first != end; ++first) {
+    if (keepsDepths_) depth_[layerCount_] = first->depth;
     layers_[layerCount_++] = first->fragment;
+  }
+}
+
+bool TranslucentFragments::areSameInAll(Pixel touched, std::uint32_t samples) const
+{
+  const std::uint32_t* const layers = layers_.data() + touched.first;
+  const std::size_t length = 1 + layers[0];
+  for (std::uint32_t s = 1; s < samples; ++s)
+    if (!std::equal(layers, layers + length, layers + s * length)) return false;
+  return true;
 }
 
 /// Each triangle counts once, where it is nearest. Returns the first of those that stay.

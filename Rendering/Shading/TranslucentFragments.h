@@ -19,7 +19,6 @@ class TranslucentFragments {
   struct Pixel {
     std::uint32_t pixel;  ///< row * kTileSide + column, within the tile
     std::size_t first;    ///< in layers()
-    float nearest;        ///< depth of its nearest fragment, over all samples
   };
   /// Fragments [first, end) of one triangle, enough to be shaded by what the triangle is.
   struct Run {
@@ -33,9 +32,12 @@ class TranslucentFragments {
     Array<std::uint16_t> coverage;
   };
 
-  void collect(const TileClusters& clusters, int samples, const TranslucentTile& tile);
+  /// With `keepsDepths` depths() are told.
+  void collect(const TileClusters& clusters, int samples, const TranslucentTile& tile,
+               bool keepsDepths);
 
   // By fragment:
+  const std::uint32_t* owners() const { return owner_.data(); }
   const std::uint32_t* pixels() const { return pixel_.data(); }
   const std::uint16_t* coverage() const { return coverage_.data(); }
   /// Red, green and blue as RadianceView holds them, and alpha, 0 to 1.
@@ -51,6 +53,10 @@ class TranslucentFragments {
   const std::vector<Pixel>& touched() const { return touched_; }
   /// For each pixel, for each of its samples: a number of fragments, and these, the farthest first.
   const std::uint32_t* layers() const { return layers_.data(); }
+  /// By place in layers(), of those that are fragments.
+  const float* depths() const { return depth_.data(); }
+  /// Whether all samples of a pixel have the same fragments, in the same order.
+  bool areSameInAll(Pixel touched, std::uint32_t samples) const;
 
  private:
   struct Layer {
@@ -78,6 +84,8 @@ class TranslucentFragments {
   Rest rest_;
   std::vector<Pixel> touched_;
   Array<std::uint32_t> layers_;
+  Array<float> depth_;  ///< by place in layers_
+  bool keepsDepths_ = false;
   std::size_t layerCount_ = 0;
 
   Array<std::uint32_t> fragment_;  ///< by sample of the tile; unless each is its own

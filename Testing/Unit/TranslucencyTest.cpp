@@ -469,7 +469,7 @@ TEST(TranslucentFragments, ATriangleThatMeetsASampleTwiceCountsOnceWhereItIsNear
   add(kOther, 0.4f);
   tile.notePieces();
   TranslucentFragments fragments;
-  fragments.collect({nullptr, {}}, 1, tile);
+  fragments.collect({nullptr, {}}, 1, tile, true);
   ASSERT_EQ(fragments.touched().size(), 1u);
   EXPECT_EQ(fragments.touched()[0].pixel, 5u);
   const std::uint32_t* const layers = fragments.layers();
@@ -478,6 +478,8 @@ TEST(TranslucentFragments, ATriangleThatMeetsASampleTwiceCountsOnceWhereItIsNear
   ASSERT_EQ(rest.count, 2u);
   EXPECT_EQ(rest.owner[layers[1]], kOther);
   EXPECT_EQ(rest.owner[layers[2]], kClipped);
+  EXPECT_EQ(fragments.depths()[1], 0.4f);
+  EXPECT_EQ(fragments.depths()[2], 0.3f);
 }
 
 }  // namespace

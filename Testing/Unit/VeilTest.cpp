@@ -121,8 +121,72 @@ TEST_P(Veils, LieBehindLinesBeforeThem)
     stage.instances.push_back(pane(before, 0.5f));
     picture = draw(stage);
     expectColor(picture, 15, kInLine, 0.5, 0, 0);
+    expectColor(picture, 16, kInLine, 0.5, 0, 0);
     expectColor(picture, 20, kInLine, 0.5 + 0.5 * 0.75, 0, 0);
   }
+}
+
+TEST_P(Veils, LieOverALineOnlyWhereTheyAreBeforeIt)
+{
+  Line line(0, kBlack);
+  line.points = {{0, kSide / 2.0f, -0.4f}, {kSide + 1, kSide / 2.0f, 0.45f}};
+  const OwnedMesh low = plate(0, kSide, -0.2), high = plate(0, kSide, 0.2);
+  for (const int samples : {1, 8}) {
+    Stage stage = testing::pixelStage(kSide, samples);
+    stage.instances = {testing::painted(ground_, kWhite), pane(low, 0.5f), pane(high, 0.75f)};
+    stage.instances[0].lines = line.sets;
+    const Picture picture = draw(stage);
+    expectColor(picture, 3, kInLine, 0.5 * 0.25 + 0.75, 0, 0);
+    expectColor(picture, 12, kInLine, 0.75, 0, 0);
+    expectColor(picture, 28, kInLine, 0, 0, 0);
+  }
+}
+
+TEST_P(Veils, CoverALineByTheShareOfTheSamplesThatTheyHave)
+{
+  const Line line(-0.5f, kBlack);
+  const OwnedMesh half = plate(16.5, kSide, 0);
+  Stage stage = testing::pixelStage(kSide, 4);
+  stage.instances = {testing::painted(ground_, kWhite), pane(half, 0.5f)};
+  stage.instances[0].lines = line.sets;
+  const Picture picture = draw(stage);
+  expectColor(picture, 15, kInLine, 0, 0, 0);
+  expectColor(picture, 16, kInLine, 0.25, 0, 0);
+  expectColor(picture, 17, kInLine, 0.5, 0, 0);
+}
+
+TEST_P(Veils, LieOverTheLinesOfOtherTranslucentSurfaces)
+{
+  const Line line(-0.9f, {0, 0, 1});
+  const auto inOrder = [&](bool isLinedFirst) {
+    Stage stage = testing::pixelStage(kSide, 1);
+    stage.instances = {pane(behind_, 0.5f), pane(nearer_, 0.5f)};
+    stage.instances[0].lines = line.sets;
+    if (!isLinedFirst) std::swap(stage.instances[0], stage.instances[1]);
+    return draw(stage);
+  };
+  for (const bool isLinedFirst : {true, false}) {
+    const Picture picture = inOrder(isLinedFirst);
+    expectColor(picture, 5, kInLine, 0, 0, 1);
+    expectColor(picture, 28, kInLine, 0.5, 0, 0.5);
+  }
+}
+
+TEST_P(Veils, AreNotLaidOverTheirOwnLines)
+{
+  // Of a closed surface those on its far side are seen as those on the near one.
+  const double side = 2.0 * kSide;
+  const OwnedMesh both = testing::soup({{0, 0, -0.9},
+                                        {side, 0, -0.9},
+                                        {0, side, -0.9},
+                                        {0, 0, 0.3},
+                                        {side, 0, 0.3},
+                                        {0, side, 0.3}});
+  const Line line(-0.9f, {0, 0, 1});
+  Stage stage = testing::pixelStage(kSide, 1);
+  stage.instances = {pane(both, 0.5f), pane(right_, 0.0f)};
+  stage.instances[0].lines = line.sets;
+  expectColor(draw(stage), 5, kInLine, 0, 0, 1);
 }
 
 TEST_P(Veils, LeaveWhatNoLineChanges)
