@@ -3,22 +3,18 @@
 #include "Rendering/Mesh/BuildClusters.h"
 
 #include "Rendering/Base/Executor.h"
+#include "Rendering/Mesh/CutRun.h"
 #include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Mesh/SortTriangles.h"
 
 #include <algorithm>
-#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
-#include <memory>
 #include <utility>
 
 namespace limn {
 namespace {
-
-constexpr std::size_t kRun = 1 << 11;  // units of the curve cut into clusters by one task
-constexpr std::size_t kFill = 80;      // triangles in a cluster, if the vertices allow it
 
 float roundedDown(double value)
 {
@@ -32,200 +28,6 @@ float roundedUp(double value)
   return nearest < value ? std::nextafter(nearest, std::numeric_limits<float>::infinity())
                          : nearest;
 }
-
-/// The clusters of one run of sorted triangles; vertices count from the run's start.
-struct Run {
-  std::size_t firstTriangle = 0;
-  std::vector<Cluster> clusters;
-  std::vector<std::uint32_t> vertex;
-};
-
-/// Vertex numbers of the cluster being filled: open addressing, emptied by counting clusters.
-class ClusterVertices {
- public:
-  void startCluster()
-  {
-    ++generation_;
-    count_ = 0;
-  }
-  int count() const { return count_; }
-  /// Place of `vertex` in the cluster.
-  int findOrAdd(std::uint32_t vertex)
-  {
-    std::size_t i = slotOf(vertex);
-    for (; entries_[i].generation == generation_; i = next(i))
-      if (entries_[i].vertex == vertex) return entries_[i].place;
-    entries_[i] = {generation_, vertex, count_};
-    return count_++;
-  }
-
- private:
-  struct Entry {
-    std::uint32_t generation = 0, vertex = 0;
-    int place = 0;
-  };
-  static constexpr std::size_t kSlots = 256;
-  static std::size_t slotOf(std::uint32_t vertex) { return vertex * 2654435761u >> 24; }
-  static std::size_t next(std::size_t slot) { return (slot + 1) % kSlots; }
-
-  std::array<Entry, kSlots> entries_;
-  std::uint32_t generation_ = 1;  // no entry is of it yet
-  int count_ = 0;
-};
-
-/// A unit of a run: where its first triangle's centroid is, in steps of the run's box, and its
-/// number in the run.
-struct Member {
-  std::uint16_t centroid[3];
-  std::uint16_t number;
-};
-
-/// Cuts a run of triangles into clusters: halves it across its longest side until a part fits.
-class RunCutter {
- public:
-  RunCutter(const MeshView& mesh, Span<const TriangleUnit> units, Run& run, ClusteredMesh& clusters)
-      : mesh_(mesh),
-        units_(units),
-        run_(run),
-        triangleCount_(run.firstTriangle),
-        triangle_(clusters.triangle.data()),
-        corner_{clusters.corner[0].data(), clusters.corner[1].data(), clusters.corner[2].data()}
-  {
-    std::vector<Vec3d> centroid(units.size());
-    Box box;
-    for (std::size_t i = 0; i < units.size(); ++i) {
-      const Triangle& t = mesh_.triangles[units_[i].first];
-      centroid[i] = (mesh_.position(t.vertex[0]) + mesh_.position(t.vertex[1]) +
-                     mesh_.position(t.vertex[2])) *
-                    (1.0 / 3);
-      box.add(centroid[i]);
-    }
-    const Vec3d size = box.high - box.low;
-    const double extent = std::max({size.x, size.y, size.z});
-    const double steps = extent > 0 ? 65535.0 / extent : 0.0;
-    for (std::size_t i = 0; i < units.size(); ++i) {
-      const Vec3d c = (centroid[i] - box.low) * steps;
-      member_[i] = {{static_cast<std::uint16_t>(c.x), static_cast<std::uint16_t>(c.y),
-                     static_cast<std::uint16_t>(c.z)},
-                    static_cast<std::uint16_t>(i)};
-    }
-  }
-
-  void cut()
-  {
-    cut(0, units_.size());
-    run_.vertex.assign(vertex_, vertex_ + vertexCount_);
-  }
-
- private:
-  void cut(std::size_t begin, std::size_t end)
-  {
-    const std::size_t count = end - begin;
-    std::size_t triangles = 0;
-    for (std::size_t i = begin; i < end; ++i)
-      triangles += units_[member_[i].number].count();
-    if (triangles <= kFill && emit(begin, end)) return;
-    // Parts are multiples of a full cluster, so that no small rest is left.
-    const std::size_t parts = (triangles + kFill - 1) / kFill;
-    const std::size_t middle = begin + (parts > 1 ? count * (parts / 2) / parts : count / 2);
-    splitAt(begin, middle, end);
-    cut(begin, middle);
-    cut(middle, end);
-  }
-
-  struct Range {
-    std::uint16_t low, high;
-  };
-  Range rangeOf(int axis, std::size_t begin, std::size_t end) const
-  {
-    Range range = {member_[begin].centroid[axis], member_[begin].centroid[axis]};
-    for (std::size_t i = begin; i < end; ++i) {
-      range.low = std::min(range.low, member_[i].centroid[axis]);
-      range.high = std::max(range.high, member_[i].centroid[axis]);
-    }
-    return range;
-  }
-
-  /// Orders the members so that those before `middle` have the smaller centroids on the longest
-  /// axis: first by buckets, then exactly in the bucket where the middle lies.
-  void splitAt(std::size_t begin, std::size_t middle, std::size_t end)
-  {
-    int axis = 0;
-    Range range = rangeOf(0, begin, end);
-    for (const int other : {1, 2}) {
-      const Range r = rangeOf(other, begin, end);
-      if (r.high - r.low > range.high - range.low) {
-        range = r;
-        axis = other;
-      }
-    }
-    constexpr int kBuckets = 64;
-    const std::uint32_t scale = (std::uint32_t{kBuckets} << 16) / (range.high - range.low + 1u);
-    const auto bucket = [&](const Member& m) {
-      return static_cast<std::uint32_t>(m.centroid[axis] - range.low) * scale >> 16;
-    };
-    std::uint32_t count[kBuckets] = {};
-    for (std::size_t i = begin; i < end; ++i)
-      ++count[bucket(member_[i])];
-    std::uint32_t split = 0;
-    std::size_t before = begin;
-    while (before + count[split] <= middle)
-      before += count[split++];
-
-    // Below, in and above the middle's bucket.
-    std::size_t next[3] = {begin, before, before + count[split]};
-    std::copy(member_ + begin, member_ + end, old_ + begin);
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t b = bucket(old_[i]);
-      member_[next[(b >= split) + (b > split)]++] = old_[i];
-    }
-    std::nth_element(member_ + before, member_ + middle, member_ + before + count[split],
-                     [axis](const Member& a, const Member& b) {
-                       return a.centroid[axis] < b.centroid[axis] ||
-                              (a.centroid[axis] == b.centroid[axis] && a.number < b.number);
-                     });
-  }
-
-  /// Makes a cluster of a part, unless it has too many vertices.
-  bool emit(std::size_t begin, std::size_t end)
-  {
-    vertices_.startCluster();
-    std::size_t triangleCount = triangleCount_;
-    for (std::size_t i = begin; i < end; ++i) {
-      const TriangleUnit& unit = units_[member_[i].number];
-      for (std::uint32_t triangle = unit.first; triangle < unit.first + unit.count(); ++triangle) {
-        for (int k = 0; k < 3; ++k) {
-          const std::uint32_t v = mesh_.triangles[triangle].vertex[k];
-          const auto place = static_cast<std::size_t>(vertices_.findOrAdd(v));
-          vertex_[vertexCount_ + place] = v;
-          corner_[k][triangleCount] = static_cast<std::uint8_t>(place);
-        }
-        triangle_[triangleCount++] = triangle;
-      }
-      if (vertices_.count() > kMaxClusterVertices) return false;
-    }
-    Cluster cluster = {};
-    cluster.firstVertex = static_cast<std::uint32_t>(vertexCount_);
-    cluster.firstTriangle = static_cast<std::uint32_t>(triangleCount_);
-    cluster.vertexCount = static_cast<std::uint8_t>(vertices_.count());
-    cluster.triangleCount = static_cast<std::uint8_t>(triangleCount - triangleCount_);
-    run_.clusters.push_back(cluster);
-    vertexCount_ += cluster.vertexCount;
-    triangleCount_ = triangleCount;
-    return true;
-  }
-
-  const MeshView& mesh_;
-  Span<const TriangleUnit> units_;
-  Run& run_;
-  ClusterVertices vertices_;
-  Member member_[kRun], old_[kRun];
-  std::size_t vertexCount_ = 0;  ///< of the run's clusters so far
-  std::uint32_t vertex_[3 * 2 * kRun];
-  std::size_t triangleCount_;  ///< of all runs before, and of this one's clusters so far
-  std::uint32_t* triangle_;
-  std::uint8_t* corner_[3];
-};
 
 template <class T>
 void allocate(std::size_t count, std::size_t spare, Array<T>& array)
@@ -257,10 +59,10 @@ bool isFloatAtZero(const MeshView& mesh, Vec3d origin)
   return !mesh.positions.empty() && origin == Vec3d{0, 0, 0};
 }
 
-void allocateVertices(const std::vector<Run>& runs, ClusteredMesh& clusters)
+void allocateVertices(const std::vector<ClusterRun>& runs, ClusteredMesh& clusters)
 {
   std::size_t clusterCount = 0;
-  for (const Run& run : runs) {
+  for (const ClusterRun& run : runs) {
     clusterCount += run.clusters.size();
     clusters.vertexCount += run.vertex.size();
   }
@@ -275,9 +77,29 @@ struct Place {
   std::size_t cluster, vertex;
 };
 
+/// placeVertices() of positions that are floats and stay as they are.
+void copyVertices(Span<const Vec3f> positions, Cluster& cluster, ClusteredMesh& clusters)
+{
+  Vec3f low = positions[clusters.vertex[cluster.firstVertex]], high = low;
+  for (std::size_t i = cluster.firstVertex; i < cluster.firstVertex + cluster.vertexCount; ++i) {
+    const Vec3f p = positions[clusters.vertex[i]];
+    clusters.x[i] = p.x;
+    clusters.y[i] = p.y;
+    clusters.z[i] = p.z;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  cluster.low = low;
+  cluster.high = high;
+}
+
 /// Fills positions and boxes of the vertices from `first` on; true if a low part is needed.
 bool placeVertices(const MeshView& mesh, Cluster& cluster, ClusteredMesh& clusters)
 {
+  if (isFloatAtZero(mesh, clusters.origin)) {
+    copyVertices(mesh.positions, cluster, clusters);
+    return false;
+  }
   bool anyLow = false;
   Box box;
   for (std::size_t i = cluster.firstVertex; i < cluster.firstVertex + cluster.vertexCount; ++i) {
@@ -298,7 +120,7 @@ bool placeVertices(const MeshView& mesh, Cluster& cluster, ClusteredMesh& cluste
   return anyLow;
 }
 
-bool copyRun(const MeshView& mesh, const Run& run, Place to, ClusteredMesh& clusters)
+bool copyRun(const MeshView& mesh, const ClusterRun& run, Place to, ClusteredMesh& clusters)
 {
   std::copy(run.vertex.begin(), run.vertex.end(), clusters.vertex.data() + to.vertex);
   bool anyLow = false;
@@ -367,28 +189,27 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   clusters.outOfRangeTriangles = sorted.outOfRange;
   clusters.notFiniteTriangles = sorted.notFinite;
   const Span<const TriangleUnit> order = {sorted.units.data(), sorted.units.size()};
-  std::vector<Run> runs((order.size() + kRun - 1) / kRun);
+  std::vector<ClusterRun> runs((order.size() + kUnitsOfRun - 1) / kUnitsOfRun);
   const auto unitsOf = [&](std::size_t r) {
-    return Span<const TriangleUnit>(order.data() + r * kRun,
-                                    std::min(kRun, order.size() - r * kRun));
+    return Span<const TriangleUnit>(order.data() + r * kUnitsOfRun,
+                                    std::min(kUnitsOfRun, order.size() - r * kUnitsOfRun));
   };
   parallelFor(threads, runs.size(), [&](std::size_t r) {
     for (const TriangleUnit& unit : unitsOf(r))
       runs[r].firstTriangle += unit.count();
   });
-  for (Run& run : runs)
+  for (ClusterRun& run : runs)
     clusters.triangleCount += std::exchange(run.firstTriangle, clusters.triangleCount);
   allocateTriangles(clusters);
-  parallelFor(threads, runs.size(), [&](std::size_t r) {
-    std::make_unique<RunCutter>(mesh, unitsOf(r), runs[r], clusters)->cut();
-  });
+  parallelFor(threads, runs.size(),
+              [&](std::size_t r) { cutRun(mesh, unitsOf(r), runs[r], clusters); });
   sorted = {};
 
   allocateVertices(runs, clusters);
   if (!isFloatAtZero(mesh, clusters.origin)) allocateLowParts(clusters);
   std::vector<Place> places;
   Place next = {0, 0};
-  for (const Run& run : runs) {
+  for (const ClusterRun& run : runs) {
     places.push_back(next);
     next = {next.cluster + run.clusters.size(), next.vertex + run.vertex.size()};
   }

@@ -5,6 +5,7 @@
 #include "Rendering/Base/Executor.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace limn {
@@ -12,6 +13,22 @@ namespace {
 
 // Data nearer than this many box sizes keeps origin zero, so that float data needs no low part.
 constexpr double kFarInBoxSizes = 16.0;
+
+/// In the numbers' own precision.
+template <class Vec>
+Box finiteBoxOf(const Vec* position, std::size_t count)
+{
+  constexpr auto kInfinity = std::numeric_limits<decltype(Vec::x)>::infinity();
+  Vec low = {kInfinity, kInfinity, kInfinity}, high = -low;
+  for (std::size_t v = 0; v < count; ++v) {
+    const Vec p = position[v];
+    if (!isFinite(p)) continue;
+    low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+  }
+  if (low.x > high.x) return {};
+  return {vec3Cast<double>(low), vec3Cast<double>(high)};
+}
 
 }  // namespace
 
@@ -21,12 +38,10 @@ Box finiteBox(const MeshView& mesh, int threads)
   const std::size_t count = mesh.vertexCount();
   std::vector<Box> boxes((count + kChunk - 1) / kChunk);
   parallelFor(threads, boxes.size(), [&](std::size_t chunk) {
-    Box box;
-    for (std::size_t v = chunk * kChunk; v < std::min(count, (chunk + 1) * kChunk); ++v) {
-      const Vec3d p = mesh.position(v);
-      if (isFinite(p)) box.add(p);
-    }
-    boxes[chunk] = box;
+    const std::size_t first = chunk * kChunk, vertices = std::min(count - first, kChunk);
+    boxes[chunk] = mesh.positions.empty()
+                       ? finiteBoxOf(mesh.precisePositions.data() + first, vertices)
+                       : finiteBoxOf(mesh.positions.data() + first, vertices);
   });
   Box all;
   for (const Box& box : boxes)

@@ -20,21 +20,27 @@ constexpr int kDigitBits = 11;
 constexpr std::size_t kDigits = 1 << kDigitBits;
 static_assert(3 * kMortonBitsPerAxis < 2 * kDigitBits, "two passes sort the codes");
 
-/// Every third bit of the result is a bit of x.
-std::uint32_t spreadBits(std::uint32_t x)
+constexpr std::size_t kCellsPerAxis = 1 << kMortonBitsPerAxis;
+constexpr double kModest = 1e30;  ///< far from what a float cannot hold
+
+/// For each number of a cell on an axis the number of which every third bit is one of its bits.
+const std::array<std::uint32_t, kCellsPerAxis>& spreadBits()
 {
-  x = (x | x << 16) & 0x030000FFu;
-  x = (x | x << 8) & 0x0300F00Fu;
-  x = (x | x << 4) & 0x030C30C3u;
-  return (x | x << 2) & 0x09249249u;
+  static const std::array<std::uint32_t, kCellsPerAxis> table = [] {
+    std::array<std::uint32_t, kCellsPerAxis> spread = {};
+    for (std::size_t cell = 0; cell < kCellsPerAxis; ++cell)
+      for (int bit = 0; bit < kMortonBitsPerAxis; ++bit)
+        spread[cell] |= static_cast<std::uint32_t>(cell >> bit & 1) << 3 * bit;
+    return spread;
+  }();
+  return table;
 }
 
 enum class Fault : std::uint8_t { kNone, kOutOfRange, kNotFinite };
 
-/// Whether all corners are numbers, far from what a float cannot hold.
+/// Whether all corners are numbers, and modest ones.
 bool areModest(const MeshView& mesh, const Triangle& triangle)
 {
-  constexpr double kModest = 1e30;
   const auto [a, b, c] = triangle.vertex;
   if (!mesh.positions.empty()) {
     const auto size = [&](std::uint32_t v) {
@@ -50,13 +56,33 @@ bool areModest(const MeshView& mesh, const Triangle& triangle)
   return (size(a) + size(b)) + size(c) < kModest;
 }
 
-Fault faultOf(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
+/// The same of all vertices.
+template <class Vec>
+bool areModest(Span<const Vec> positions, int threads)
+{
+  using Number = decltype(Vec::x);
+  constexpr std::size_t kVertices = 1 << 16;
+  std::atomic<bool> all = true;
+  parallelFor(threads, (positions.size() + kVertices - 1) / kVertices, [&](std::size_t chunk) {
+    int immodest = 0;
+    for (std::size_t v = chunk * kVertices; v < std::min(positions.size(), (chunk + 1) * kVertices);
+         ++v) {
+      const Vec p = positions[v];
+      const Number size = (std::fabs(p.x) + std::fabs(p.y)) + std::fabs(p.z);
+      immodest += size < static_cast<Number>(kModest) ? 0 : 1;
+    }
+    if (immodest > 0) all = false;
+  });
+  return all;
+}
+
+Fault faultOf(const MeshView& mesh, const Triangle& triangle, Vec3d origin, bool isModest)
 {
   const std::size_t count = mesh.vertexCount();
   const auto [a, b, c] = triangle.vertex;
   if (a >= count || b >= count || c >= count) return Fault::kOutOfRange;
   // The origin is no farther out than the mesh.
-  if (areModest(mesh, triangle)) return Fault::kNone;
+  if (isModest || areModest(mesh, triangle)) return Fault::kNone;
   for (const std::uint32_t v : triangle.vertex) {
     const Vec3d p = mesh.position(v);
     if (!isFinite(p) || !isFinite(toLocal(p, origin).high)) return Fault::kNotFinite;
@@ -73,21 +99,38 @@ class MortonGrid {
     // Cubes, so that cells are as wide as they are high.
     const double extent = std::max({size.x, size.y, size.z});
     scale_ = extent > 0 ? kCells / extent : 0.0;
+    lowFloat_ = vec3Cast<float>(low_);
+    scaleFloat_ = static_cast<float>(scale_);
   }
   std::uint32_t code(Vec3d point) const
   {
     const Vec3d p = (point - low_) * scale_;
-    return spreadBits(cell(p.x)) | spreadBits(cell(p.y)) << 1 | spreadBits(cell(p.z)) << 2;
+    return code(cell(p.x), cell(p.y), cell(p.z));
+  }
+  /// Of a vertex of floats, which are cheaper.
+  std::uint32_t code(Vec3f point) const
+  {
+    const Vec3f p = (point - lowFloat_) * scaleFloat_;
+    return code(cell(p.x), cell(p.y), cell(p.z));
   }
 
  private:
-  static constexpr double kCells = 1 << kMortonBitsPerAxis;
-  static std::uint32_t cell(double x)
+  static constexpr double kCells = kCellsPerAxis;
+  /// Requires: no negative number. The last one for what is no number.
+  template <class Number>
+  static std::size_t cell(Number x)
   {
-    return static_cast<std::uint32_t>(std::clamp(x, 0.0, kCells - 1));
+    return static_cast<std::size_t>(static_cast<std::int32_t>(std::min(Number{kCells - 1}, x)));
   }
+  std::uint32_t code(std::size_t x, std::size_t y, std::size_t z) const
+  {
+    return spread_[x] | spread_[y] << 1 | spread_[z] << 2;
+  }
+  const std::array<std::uint32_t, kCellsPerAxis>& spread_ = spreadBits();
   Vec3d low_;
   double scale_;
+  Vec3f lowFloat_;
+  float scaleFloat_;
 };
 
 bool shareAnEdge(const Triangle& a, const Triangle& b)
@@ -137,6 +180,9 @@ SortedTriangles sortTriangles(const MeshView& mesh, const Box& box, Vec3d origin
   Chunks unsorted;
   unsorted.units.resize(triangles);
   unsorted.count.resize(chunks);
+  const bool isFloat = !mesh.positions.empty();
+  const bool isModest =
+      isFloat ? areModest(mesh.positions, threads) : areModest(mesh.precisePositions, threads);
   std::atomic<std::size_t> outOfRange = 0, notFinite = 0;
   parallelFor(threads, chunks, [&](std::size_t chunk) {
     TriangleUnit* const begin = unsorted.units.data() + chunk * kChunk;
@@ -144,7 +190,7 @@ SortedTriangles sortTriangles(const MeshView& mesh, const Box& box, Vec3d origin
     bool mayGrow = false;  // the last unit has one triangle, the one before this
     for (std::size_t t = chunk * kChunk; t < std::min(triangles, (chunk + 1) * kChunk); ++t) {
       const Triangle& triangle = mesh.triangles[t];
-      const Fault fault = faultOf(mesh, triangle, origin);
+      const Fault fault = faultOf(mesh, triangle, origin, isModest);
       if (fault != Fault::kNone) {
         ++(fault == Fault::kOutOfRange ? outOfRange : notFinite);
         mayGrow = false;
@@ -152,7 +198,9 @@ SortedTriangles sortTriangles(const MeshView& mesh, const Box& box, Vec3d origin
         next[-1].code |= TriangleUnit::kPair;
         mayGrow = false;
       } else {
-        *next++ = {grid.code(mesh.position(triangle.vertex[0])), static_cast<std::uint32_t>(t)};
+        const std::uint32_t vertex = triangle.vertex[0];
+        *next++ = {isFloat ? grid.code(mesh.positions[vertex]) : grid.code(mesh.position(vertex)),
+                   static_cast<std::uint32_t>(t)};
         mayGrow = true;
       }
     }

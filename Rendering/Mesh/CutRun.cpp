@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Mesh/CutRun.h"
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+namespace limn {
+namespace {
+
+constexpr std::size_t kFill = 80;  // triangles in a cluster, if the vertices allow it
+
+/// Vertex numbers of the cluster being filled: open addressing, emptied by counting clusters.
+class ClusterVertices {
+ public:
+  void startCluster() { ++generation_; }
+  /// Place in the cluster of `vertex`, which is `count` if that is the first time.
+  int findOrAdd(std::uint32_t vertex, int count)
+  {
+    Entry* entry = &entries_[vertex * 2654435761u >> (32 - kSlotBits)];
+    while (entry->generation == generation_ && entry->vertex != vertex)
+      entry = entry == &entries_.back() ? &entries_.front() : entry + 1;
+    if (entry->generation != generation_)
+      *entry = {vertex, generation_, static_cast<std::uint16_t>(count)};
+    return entry->place;
+  }
+
+ private:
+  struct Entry {
+    std::uint32_t vertex = 0;
+    std::uint16_t generation = 0, place = 0;
+  };
+  // Several times a cluster's vertices, so that two seldom meet.
+  static constexpr int kSlotBits = 9;
+
+  std::array<Entry, 1 << kSlotBits> entries_;
+  std::uint16_t generation_ = 1;  // no entry is of it yet
+};
+static_assert(4 * kUnitsOfRun < 1 << 16, "a run has no more generations");
+
+/// A unit of a run: where its first triangle's centroid is, in steps of the run's box, and its
+/// number in the run, below which a bit tells whether it is two triangles.
+struct Member {
+  static constexpr int kHalf = 1 << 15;  ///< numbers are less this, as vectors compare signed ones
+  static_assert(2 * kUnitsOfRun <= std::size_t{2 * kHalf}, "a number must fit");
+
+  std::int16_t centroid[3];
+  std::int16_t numberAndPair;
+
+  std::size_t number() const { return static_cast<std::size_t>(numberAndPair + kHalf) >> 1; }
+  std::size_t triangles() const { return 1 + (static_cast<std::size_t>(numberAndPair) & 1); }
+};
+static_assert(sizeof(Member) == 8, "rangesOf() reads two as a vector");
+
+/// Three times the centroid, which has the same order.
+template <class Vec>
+Vec cornerSum(Span<const Vec> positions, const Triangle& t)
+{
+  return (positions[t.vertex[0]] + positions[t.vertex[1]]) + positions[t.vertex[2]];
+}
+
+/// Cuts the triangles of a run into slices across its longest side, and each of these likewise,
+/// until a part fits into a cluster.
+class RunCutter {
+ public:
+  RunCutter(const MeshView& mesh, Span<const TriangleUnit> units, ClusterRun& run,
+            ClusteredMesh& clusters)
+      : mesh_(mesh),
+        units_(units),
+        run_(run),
+        triangleCount_(run.firstTriangle),
+        triangle_(clusters.triangle.data()),
+        corner_{clusters.corner[0].data(), clusters.corner[1].data(), clusters.corner[2].data()}
+  {
+    if (mesh.positions.empty())
+      placeMembers(mesh.precisePositions);
+    else
+      placeMembers(mesh.positions);
+  }
+
+  void cut()
+  {
+    cut(0, units_.size());
+    run_.vertex.assign(vertex_, vertex_ + vertexCount_);
+  }
+
+ private:
+  /// Where the units are, in steps of their box.
+  template <class Vec>
+  void placeMembers(Span<const Vec> positions)
+  {
+    using Number = decltype(Vec::x);
+    constexpr std::size_t kAhead = 16;
+    std::vector<Vec> sum(units_.size());
+    Vec low = {}, high = {};
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+      if (i + 2 * kAhead < units_.size()) {
+        hwy::Prefetch(&mesh_.triangles[units_[i + 2 * kAhead].first]);
+        hwy::Prefetch(&positions[mesh_.triangles[units_[i + kAhead].first].vertex[0]]);
+      }
+      const Vec c = cornerSum(positions, mesh_.triangles[units_[i].first]);
+      sum[i] = c;
+      if (i == 0) low = high = c;
+      low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
+      high = {std::max(high.x, c.x), std::max(high.y, c.y), std::max(high.z, c.z)};
+    }
+    const Vec size = high - low;
+    const Number extent = std::max({size.x, size.y, size.z});
+    const Number steps = extent > 0 ? Number{65535} / extent : Number{0};
+    const auto step = [&](Number x, Number from) {
+      // Also of what is no number, as the sums of the largest have no differences.
+      const Number bounded = std::min(Number{65535}, (x - from) * steps);
+      return static_cast<std::int16_t>(static_cast<int>(bounded) - Member::kHalf);
+    };
+    for (std::size_t i = 0; i < units_.size(); ++i) {
+      const auto number = static_cast<int>(2 * i + (units_[i].count() - 1));
+      member_[i] = {{step(sum[i].x, low.x), step(sum[i].y, low.y), step(sum[i].z, low.z)},
+                    static_cast<std::int16_t>(number - Member::kHalf)};
+    }
+  }
+
+  void cut(std::size_t begin, std::size_t end)
+  {
+    const std::size_t count = end - begin;
+    std::size_t triangles = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      triangles += member_[i].triangles();
+    if (triangles <= kFill && emit(begin, end)) return;
+    // Slices are multiples of a full cluster, so that no small rest is left.
+    const std::size_t parts = std::max<std::size_t>((triangles + kFill - 1) / kFill, 2);
+    const std::size_t slices = sortForSlices(begin, end, parts);
+    const auto cutAt = [&](std::size_t slice) {
+      return begin + count * (parts * slice / slices) / parts;
+    };
+    for (std::size_t slice = 1; slice < slices; ++slice)
+      selectAt(slice == 1 ? begin : cutAt(slice - 1), cutAt(slice));
+    for (std::size_t slice = 0; slice < slices; ++slice)
+      cut(cutAt(slice), cutAt(slice + 1));
+  }
+
+  struct Ranges {
+    std::int16_t low[3], high[3];
+
+    int width(int axis) const { return high[axis] - low[axis]; }
+  };
+  Ranges rangesOf(std::size_t begin, std::size_t end) const
+  {
+    // Two members at a time: eight numbers, which the compiler takes as a vector.
+    constexpr std::size_t kNumbers = 8;
+    std::int16_t low[kNumbers], high[kNumbers], pair[kNumbers];
+    const auto read = [&](std::size_t first, std::size_t second) {
+      std::memcpy(pair, &member_[first], sizeof(Member));
+      std::memcpy(pair + kNumbers / 2, &member_[second], sizeof(Member));
+    };
+    read(begin, end - 1);
+    std::copy(pair, pair + kNumbers, low);
+    std::copy(pair, pair + kNumbers, high);
+    for (std::size_t i = begin; i + 1 < end; i += 2) {
+      read(i, i + 1);
+      for (std::size_t k = 0; k < kNumbers; ++k) {
+        low[k] = std::min(low[k], pair[k]);
+        high[k] = std::max(high[k], pair[k]);
+      }
+    }
+    Ranges ranges;
+    for (std::size_t k = 0; k < 3; ++k) {
+      ranges.low[k] = std::min(low[k], low[k + kNumbers / 2]);
+      ranges.high[k] = std::max(high[k], high[k + kNumbers / 2]);
+    }
+    return ranges;
+  }
+
+  /// Sorts the members along their longest axis, into buckets. Returns in how many slices across
+  /// it they are best cut that will become `parts` clusters: so many that the clusters of a slice,
+  /// side by side, are about as wide as it is thick.
+  std::size_t sortForSlices(std::size_t begin, std::size_t end, std::size_t parts)
+  {
+    const Ranges ranges = rangesOf(begin, end);
+    int order[3] = {0, 1, 2};
+    std::sort(order, order + 3, [&](int a, int b) { return ranges.width(a) > ranges.width(b); });
+    axis_ = order[0];
+    low_ = ranges.low[axis_];
+    const int width = ranges.width(axis_);
+    scale_ = (std::uint32_t{kBuckets} << 16) / (static_cast<std::uint32_t>(width) + 1u);
+    std::fill(std::begin(bucketEnd_), std::end(bucketEnd_), 0u);
+    for (std::size_t i = begin; i < end; ++i)
+      ++bucketEnd_[bucketOf(member_[i])];
+    auto next = static_cast<std::uint32_t>(begin);
+    for (std::uint32_t& count : bucketEnd_)
+      next += std::exchange(count, next);
+    // The beginnings become the ends.
+    std::copy(member_ + begin, member_ + end, old_ + begin);
+    for (std::size_t i = begin; i < end; ++i)
+      member_[bucketEnd_[bucketOf(old_[i])]++] = old_[i];
+
+    const double aspect = width / std::max(static_cast<double>(ranges.width(order[1])), 1.0);
+    const double slices = std::sqrt(static_cast<double>(parts) * aspect) + 0.5;
+    return std::clamp(static_cast<std::size_t>(std::min(slices, 1e9)), std::size_t{2}, parts);
+  }
+  std::uint32_t bucketOf(const Member& m) const
+  {
+    return static_cast<std::uint32_t>(m.centroid[axis_] - low_) * scale_ >> 16;
+  }
+
+  /// Orders the bucket of the member at `middle`, from `begin` on, so that those before it have the
+  /// smaller centroids.
+  void selectAt(std::size_t begin, std::size_t middle)
+  {
+    const std::uint32_t bucket = bucketOf(member_[middle]);
+    const std::size_t first = std::max<std::size_t>(begin, bucket > 0 ? bucketEnd_[bucket - 1] : 0);
+    const int axis = axis_;
+    std::nth_element(
+        member_ + first, member_ + middle, member_ + bucketEnd_[bucket],
+        [axis](const Member& a, const Member& b) {
+          return a.centroid[axis] < b.centroid[axis] ||
+                 (a.centroid[axis] == b.centroid[axis] && a.numberAndPair < b.numberAndPair);
+        });
+  }
+
+  /// Makes a cluster of a part, unless it has too many vertices.
+  bool emit(std::size_t begin, std::size_t end)
+  {
+    vertices_.startCluster();
+    // Copies, as the compiler cannot know that bytes written below are none of these.
+    std::uint8_t* const corner[3] = {corner_[0], corner_[1], corner_[2]};
+    std::uint32_t* const triangles = triangle_;
+    std::uint32_t* const vertex = vertex_ + vertexCount_;
+    const Triangle* const meshTriangles = mesh_.triangles.data();
+    int count = 0;
+    std::size_t triangleCount = triangleCount_;
+    for (std::size_t i = begin; i < end; ++i) {
+      const Member member = member_[i];
+      const std::uint32_t first = units_[member.number()].first;
+      const auto add = [&](std::uint32_t v, int k) {
+        const int place = vertices_.findOrAdd(v, count);
+        count += place == count ? 1 : 0;
+        vertex[place] = v;
+        corner[k][triangleCount] = static_cast<std::uint8_t>(place);
+        return place;
+      };
+      const Triangle one = meshTriangles[first];
+      const int place[3] = {add(one.vertex[0], 0), add(one.vertex[1], 1), add(one.vertex[2], 2)};
+      triangles[triangleCount++] = first;
+      if (member.triangles() > 1) {
+        const Triangle other = meshTriangles[first + 1];
+        for (int k = 0; k < 3; ++k) {
+          const std::uint32_t v = other.vertex[k];
+          int known = v == one.vertex[0] ? place[0] : -1;
+          known = v == one.vertex[1] ? place[1] : known;
+          known = v == one.vertex[2] ? place[2] : known;
+          if (known < 0)
+            add(v, k);
+          else
+            corner[k][triangleCount] = static_cast<std::uint8_t>(known);
+        }
+        triangles[triangleCount++] = first + 1;
+      }
+      if (count > kMaxClusterVertices) return false;
+    }
+    Cluster cluster = {};
+    cluster.firstVertex = static_cast<std::uint32_t>(vertexCount_);
+    cluster.firstTriangle = static_cast<std::uint32_t>(triangleCount_);
+    cluster.vertexCount = static_cast<std::uint8_t>(count);
+    cluster.triangleCount = static_cast<std::uint8_t>(triangleCount - triangleCount_);
+    run_.clusters.push_back(cluster);
+    vertexCount_ += cluster.vertexCount;
+    triangleCount_ = triangleCount;
+    return true;
+  }
+
+  const MeshView& mesh_;
+  Span<const TriangleUnit> units_;
+  ClusterRun& run_;
+  ClusterVertices vertices_;
+  Member member_[kUnitsOfRun], old_[kUnitsOfRun];
+  // Of the range that is being cut:
+  static constexpr int kBuckets = 256;
+  std::uint32_t bucketEnd_[kBuckets];  ///< in member_
+  std::uint32_t scale_;                ///< buckets in a step of the axis, times 2^16
+  int axis_, low_;
+  std::size_t vertexCount_ = 0;  ///< of the run's clusters so far
+  std::uint32_t vertex_[3 * 2 * kUnitsOfRun];
+  std::size_t triangleCount_;  ///< of all runs before, and of this one's clusters so far
+  std::uint32_t* triangle_;
+  std::uint8_t* corner_[3];
+};
+
+}  // namespace
+
+void cutRun(const MeshView& mesh, Span<const TriangleUnit> units, ClusterRun& run,
+            ClusteredMesh& clusters)
+{
+  // Too large for a stack.
+  std::make_unique<RunCutter>(mesh, units, run, clusters)->cut();
+}
+
+}  // namespace limn
