@@ -3,6 +3,7 @@
 #include "Rendering/Mesh/Curvature.h"
 
 #include "Rendering/Base/ParallelStretches.h"
+#include "Rendering/Mesh/CornerLists.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +14,8 @@ namespace limn {
 namespace {
 
 constexpr std::size_t kPerTask = 4096;
+/// Of more triangles the planes, 72 bytes each, are computed anew wherever they are needed.
+constexpr std::size_t kMostKept = std::size_t{1} << 23;
 
 /// Two unit vectors that span a plane.
 struct Frame {
@@ -91,21 +94,32 @@ std::array<double, n> solved(std::array<std::array<double, n>, n> a, std::array<
   return x;
 }
 
-/// A triangle with its own frame.
+/// Where a triangle lies.
+struct FacePlane {
+  Frame frame;
+  double share[3];  ///< of its area, nearest to each vertex
+};
+/// A triangle in its own frame.
 struct Face {
   std::uint32_t vertex[3];
-  Vec3d edge[3];  ///< opposite to each vertex, from the next vertex to the one before
   Frame frame;
-  double u[3], v[3];  ///< the edges in the frame
-  double share[3];    ///< of its area, nearest to each vertex
+  double u[3], v[3];  ///< the edges opposite to each vertex, from the next one to the one before
 };
 
 class CurvatureEstimator {
  public:
   CurvatureEstimator(const MeshView& mesh, Span<const Vec3f> normals, int threads)
-      : mesh_(mesh), normals_(normals), threads_(threads)
+      : mesh_(mesh),
+        normals_(normals),
+        threads_(threads),
+        isProper_(properFaces(mesh, threads)),
+        corners_(mesh, threads, [this](std::size_t t) { return isProper_[t] != 0; })
   {
-    gatherFaces();
+    if (mesh.triangles.size() > kMostKept) return;
+    kept_.resize(mesh.triangles.size());
+    parallelForEach(threads, kept_.size(), kPerTask, [&](std::size_t t) {
+      if (isProper_[t]) kept_[t] = planeOf(t);
+    });
   }
 
   std::vector<VertexCurvature> estimate()
@@ -141,74 +155,75 @@ class CurvatureEstimator {
   }
 
  private:
-  void gatherFaces()
+  static std::vector<char> properFaces(const MeshView& mesh, int threads)
   {
-    const std::size_t triangles = mesh_.triangles.size(), vertices = mesh_.vertexCount();
-    isProper_.assign(triangles, 0);
-    first_.assign(vertices + 1, 0);
-    parallelForEach(threads_, triangles, kPerTask,
-                    [&](std::size_t t) { isProper_[t] = isProper(t) ? 1 : 0; });
-    for (std::size_t t = 0; t < triangles; ++t)
-      for (const std::uint32_t v : mesh_.triangles[t].vertex)
-        if (isProper_[t]) ++first_[v + 1];
-    for (std::size_t v = 0; v < vertices; ++v)
-      first_[v + 1] += first_[v];
-    face_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t t = 0; t < triangles; ++t)
-      for (const std::uint32_t v : mesh_.triangles[t].vertex)
-        if (isProper_[t]) face_[next[v]++] = static_cast<std::uint32_t>(t);
+    std::vector<char> proper(mesh.triangles.size());
+    parallelForEach(threads, proper.size(), kPerTask,
+                    [&](std::size_t t) { proper[t] = isProper(mesh, t) ? 1 : 0; });
+    return proper;
   }
-  bool isProper(std::size_t t) const
+  static bool isProper(const MeshView& mesh, std::size_t t)
   {
-    const auto [a, b, c] = mesh_.triangles[t].vertex;
-    const std::size_t count = mesh_.vertexCount();
+    const auto [a, b, c] = mesh.triangles[t].vertex;
+    const std::size_t count = mesh.vertexCount();
     if (a >= count || b >= count || c >= count) return false;
-    const Vec3d p = mesh_.position(a);
-    const Vec3d area = cross(mesh_.position(b) - p, mesh_.position(c) - p);
+    const Vec3d p = mesh.position(a);
+    const Vec3d area = cross(mesh.position(b) - p, mesh.position(c) - p);
     return isFinite(area) && dot(area, area) > 0;
   }
 
+  using Edges = std::array<Vec3d, 3>;  ///< as in Face, in the mesh's space
+
+  Edges edgesOf(std::size_t t) const
+  {
+    Vec3d p[3];
+    for (int i = 0; i < 3; ++i)
+      p[i] = mesh_.position(mesh_.triangles[t].vertex[i]);
+    return {p[2] - p[1], p[0] - p[2], p[1] - p[0]};
+  }
+  FacePlane planeOf(std::size_t t) const
+  {
+    const Edges edge = edgesOf(t);
+    FacePlane plane;
+    const Vec3d normal = normalized(cross(edge[0], edge[1]));
+    plane.frame.u = normalized(edge[0]);
+    plane.frame.v = cross(normal, plane.frame.u);
+    setShares(edge, plane.share);
+    return plane;
+  }
+  FacePlane keptPlane(std::size_t t) const { return kept_.empty() ? planeOf(t) : kept_[t]; }
   Face faceOf(std::size_t t) const
   {
+    const Edges edge = edgesOf(t);
     Face face;
-    Vec3d p[3];
-    for (int i = 0; i < 3; ++i) {
+    face.frame = keptPlane(t).frame;
+    for (std::size_t i = 0; i < 3; ++i) {
       face.vertex[i] = mesh_.triangles[t].vertex[i];
-      p[i] = mesh_.position(face.vertex[i]);
+      face.u[i] = dot(edge[i], face.frame.u);
+      face.v[i] = dot(edge[i], face.frame.v);
     }
-    for (int i = 0; i < 3; ++i)
-      face.edge[i] = p[(i + 2) % 3] - p[(i + 1) % 3];
-    const Vec3d normal = normalized(cross(face.edge[0], face.edge[1]));
-    face.frame.u = normalized(face.edge[0]);
-    face.frame.v = cross(normal, face.frame.u);
-    for (int i = 0; i < 3; ++i) {
-      face.u[i] = dot(face.edge[i], face.frame.u);
-      face.v[i] = dot(face.edge[i], face.frame.v);
-    }
-    setShares(face);
     return face;
   }
   /// Of acute triangles the part about the circumcentre; obtuse ones are cut at their sides'
   /// middles.
-  static void setShares(Face& face)
+  static void setShares(const Edges& edge, double share[3])
   {
-    const Vec3d doubleArea = cross(face.edge[0], face.edge[1]);
+    const Vec3d doubleArea = cross(edge[0], edge[1]);
     const double area = 0.5 * std::sqrt(dot(doubleArea, doubleArea));
     double squared[3], weight[3];
     for (int i = 0; i < 3; ++i)
-      squared[i] = dot(face.edge[i], face.edge[i]);
+      squared[i] = dot(edge[static_cast<std::size_t>(i)], edge[static_cast<std::size_t>(i)]);
     for (int i = 0; i < 3; ++i)
       weight[i] = squared[i] * (squared[(i + 1) % 3] + squared[(i + 2) % 3] - squared[i]);
     for (int i = 0; i < 3; ++i)
       if (weight[i] <= 0) {
         for (int k = 0; k < 3; ++k)
-          face.share[k] = k == i ? 0.5 * area : 0.25 * area;
+          share[k] = k == i ? 0.5 * area : 0.25 * area;
         return;
       }
     const double sum = weight[0] + weight[1] + weight[2];
     for (int i = 0; i < 3; ++i)
-      face.share[i] = 0.5 * area * (weight[(i + 1) % 3] + weight[(i + 2) % 3]) / sum;
+      share[i] = 0.5 * area * (weight[(i + 1) % 3] + weight[(i + 2) % 3]) / sum;
   }
 
   Vec3d normal(std::uint32_t v) const { return vec3Cast<double>(normals_[v]); }
@@ -272,13 +287,13 @@ class CurvatureEstimator {
   {
     Quantity sum = {};
     double weight = 0;
-    for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i) {
-      const Face face = faceOf(face_[i]);
-      const Quantity here = inFrame(ofFace[face_[i]], face.frame, frames_[v]);
-      const int corner = face.vertex[0] == v ? 0 : face.vertex[1] == v ? 1 : 2;
+    for (const std::uint32_t corner : corners_.of(v)) {
+      const FacePlane plane = keptPlane(corner / 3);
+      const Quantity here = inFrame(ofFace[corner / 3], plane.frame, frames_[v]);
+      const double share = plane.share[corner % 3];
       for (std::size_t k = 0; k < sum.size(); ++k)
-        sum[k] += face.share[corner] * here[k];
-      weight += face.share[corner];
+        sum[k] += share * here[k];
+      weight += share;
     }
     for (double& one : sum)
       one = weight > 0 ? one / weight : 0.0;
@@ -310,7 +325,8 @@ class CurvatureEstimator {
   Span<const Vec3f> normals_;
   int threads_;
   std::vector<char> isProper_;
-  std::vector<std::uint32_t> first_, face_;  ///< faces of each vertex
+  CornerLists corners_;
+  std::vector<FacePlane> kept_;  ///< by triangle; none of a mesh with too many
   std::vector<Frame> frames_;
   std::vector<Tensor> tensors_;
 };

@@ -4,16 +4,15 @@
 
 #include "Rendering/Base/Executor.h"
 #include "Rendering/Base/Power.h"
+#include "Rendering/Mesh/HalfEdges.h"
 #include "Rendering/Mesh/WeldVertices.h"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 
 namespace limn {
 namespace {
 
-constexpr std::size_t kTrianglesPerTask = 8192;
 constexpr std::size_t kVerticesPerTask = 8192;
 constexpr std::size_t kEdgesPerTask = 8192;
 
@@ -22,101 +21,53 @@ std::size_t taskCount(std::size_t count, std::size_t perTask)
   return (count + perTask - 1) / perTask;
 }
 
-/// One side of a triangle, at the lower of its two places.
-struct HalfEdge {
-  std::uint32_t end;  ///< the higher place
-  std::uint32_t corner;
-};
+bool isUsed(const MeshView& mesh, const EdgeTable& table, const Triangle& triangle)
+{
+  for (const std::uint32_t v : triangle.vertex)
+    if (v >= mesh.vertexCount() || !isFinite(mesh.position(v))) return false;
+  const auto place = [&](int i) { return table.place[triangle.vertex[i]]; };
+  return place(0) != place(1) && place(1) != place(2) && place(2) != place(0);
+}
 
-class EdgeBuilder {
- public:
-  EdgeBuilder(const MeshView& mesh, int threads, EdgeTable& table)
-      : mesh_(mesh), threads_(threads), table_(table), first_(mesh.vertexCount() + 1, 0)
-  {
-  }
-
-  void build()
-  {
-    gather();
-    const std::size_t tasks = taskCount(mesh_.vertexCount(), kVerticesPerTask);
-    std::vector<std::vector<MeshEdge>> found(tasks);
-    parallelFor(threads_, tasks, [&](std::size_t task) {
-      const std::size_t end = std::min(mesh_.vertexCount(), (task + 1) * kVerticesPerTask);
-      for (std::size_t v = task * kVerticesPerTask; v < end; ++v)
-        addEdges(static_cast<std::uint32_t>(v), found[task]);
-    });
-    table_.edges.clear();
-    for (const std::vector<MeshEdge>& some : found)
-      table_.edges.insert(table_.edges.end(), some.begin(), some.end());
-  }
-
- private:
-  bool isUsed(const Triangle& triangle) const
-  {
-    for (const std::uint32_t v : triangle.vertex)
-      if (v >= mesh_.vertexCount() || !isFinite(mesh_.position(v))) return false;
-    const auto place = [&](int i) { return table_.place[triangle.vertex[i]]; };
-    return place(0) != place(1) && place(1) != place(2) && place(2) != place(0);
-  }
-  template <class Visit>
-  void forEachHalfEdge(const Visit& visit) const
-  {
-    parallelFor(
-        threads_, taskCount(mesh_.triangles.size(), kTrianglesPerTask), [&](std::size_t task) {
-          const std::size_t end = std::min(mesh_.triangles.size(), (task + 1) * kTrianglesPerTask);
-          for (std::size_t t = task * kTrianglesPerTask; t < end; ++t) {
-            const Triangle& triangle = mesh_.triangles[t];
-            if (!isUsed(triangle)) continue;
-            for (std::uint32_t k = 0; k < 3; ++k) {
-              const std::uint32_t a = table_.place[triangle.vertex[k]];
-              const std::uint32_t b = table_.place[triangle.vertex[(k + 1) % 3]];
-              visit(std::min(a, b),
-                    HalfEdge{std::max(a, b), static_cast<std::uint32_t>(3 * t) + k});
-            }
-          }
-        });
-  }
-
-  void gather()
-  {
-    std::vector<std::atomic<std::uint32_t>> next(mesh_.vertexCount());
-    forEachHalfEdge(
-        [&](std::uint32_t v, const HalfEdge&) { next[v].fetch_add(1, std::memory_order_relaxed); });
-    for (std::size_t v = 0; v < next.size(); ++v) {
-      first_[v + 1] = first_[v] + next[v].load();
-      next[v].store(first_[v]);
-    }
-    halves_.resize(first_.back());
-    forEachHalfEdge([&](std::uint32_t v, const HalfEdge& half) {
-      halves_[next[v].fetch_add(1, std::memory_order_relaxed)] = half;
-    });
-  }
-
-  void addEdges(std::uint32_t v, std::vector<MeshEdge>& edges)
-  {
-    HalfEdge* const begin = halves_.data() + first_[v];
-    HalfEdge* const end = halves_.data() + first_[v + 1];
-    // Undoes the order in which threads came.
-    std::sort(begin, end, [](const HalfEdge& a, const HalfEdge& b) {
-      return a.end != b.end ? a.end < b.end : a.corner < b.corner;
-    });
-    for (const HalfEdge* half = begin; half < end; ++half) {
-      if (half > begin && half[-1].end == half->end) {
-        MeshEdge& edge = edges.back();
-        if (edge.faceCount == 1) edge.corner[1] = half->corner;
-        ++edge.faceCount;
-      } else {
-        edges.push_back({{v, half->end}, {half->corner, kNoCorner}, 1});
-      }
+/// Appends the edges whose lower place is `v`.
+void addEdges(std::uint32_t v, Span<const HalfEdge> halves, std::vector<MeshEdge>& edges)
+{
+  for (std::size_t i = 0; i < halves.size(); ++i) {
+    const HalfEdge& half = halves[i];
+    if (i > 0 && halves[i - 1].end == half.end) {
+      MeshEdge& edge = edges.back();
+      if (edge.faceCount == 1) edge.corner[1] = half.corner;
+      ++edge.faceCount;
+    } else {
+      edges.push_back({{v, half.end}, {half.corner, kNoCorner}, 1});
     }
   }
+}
 
-  const MeshView& mesh_;
-  int threads_;
-  EdgeTable& table_;
-  std::vector<std::uint32_t> first_;
-  std::vector<HalfEdge> halves_;
-};
+void findEdges(const MeshView& mesh, int threads, EdgeTable& table)
+{
+  HalfEdges halves(mesh, table.place, threads,
+                   [&](std::size_t t) { return isUsed(mesh, table, mesh.triangles[t]); });
+  std::vector<std::vector<MeshEdge>> found(taskCount(mesh.vertexCount(), kVerticesPerTask));
+  parallelFor(threads, found.size(), [&](std::size_t task) {
+    const std::size_t end = std::min(mesh.vertexCount(), (task + 1) * kVerticesPerTask);
+    for (std::size_t v = task * kVerticesPerTask; v < end; ++v) {
+      const Span<HalfEdge> at = halves.sorted(v);
+      addEdges(static_cast<std::uint32_t>(v), {at.data(), at.size()}, found[task]);
+    }
+  });
+  std::vector<std::size_t> first;
+  std::size_t count = 0;
+  for (const std::vector<MeshEdge>& some : found) {
+    first.push_back(count);
+    count += some.size();
+  }
+  table.edges.resize(count);
+  parallelFor(threads, found.size(), [&](std::size_t task) {
+    std::copy(found[task].begin(), found[task].end(),
+              table.edges.begin() + static_cast<std::ptrdiff_t>(first[task]));
+  });
+}
 
 class KindFinder {
  public:
@@ -203,7 +154,7 @@ Status buildEdgeTable(const MeshView& mesh, double tolerance, int threads, EdgeT
             "The mesh has too many triangles for lines along its edges; draw it in parts, or "
             "without them."};
   table.place = weldVertices(mesh, tolerance, threads);
-  EdgeBuilder(mesh, threads, table).build();
+  findEdges(mesh, threads, table);
   table.woundAlike.assign(table.edges.size(), 0);
   parallelFor(threads, taskCount(table.edges.size(), kEdgesPerTask), [&](std::size_t task) {
     const std::size_t end = std::min(table.edges.size(), (task + 1) * kEdgesPerTask);

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/HullEdges.h"
 
-#include "Rendering/Base/Array.h"
 #include "Rendering/Base/Executor.h"
+#include "Rendering/Mesh/HalfEdges.h"
 #include "Rendering/Mesh/LocalPosition.h"
+#include "Rendering/Mesh/WeldVertices.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 #include <numeric>
 
@@ -24,81 +24,6 @@ void forEachChunk(std::size_t count, int threads, Body body)
   });
 }
 
-/// Finds vertices in the same place: by hash into parts, each part by a table of its own.
-class Welder {
- public:
-  Welder(const MeshView& mesh, int threads) : mesh_(mesh), threads_(threads) {}
-
-  std::vector<std::uint32_t> weld()
-  {
-    sortByPart();
-    std::vector<std::uint32_t> first(mesh_.vertexCount());
-    parallelFor(threads_, kParts, [&](std::size_t part) { weldPart(part, first); });
-    return first;
-  }
-
- private:
-  static constexpr int kPartBits = 5;
-  static constexpr std::size_t kParts = 1 << kPartBits;
-  static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
-
-  static bool areSame(Vec3d a, Vec3d b) { return a == b; }
-  std::uint32_t hashOf(Vec3d p) const
-  {
-    std::uint64_t hash = 0;
-    for (const double coordinate : {p.x, p.y, p.z}) {
-      const double value = coordinate + 0.0;  // -0 is 0
-      std::uint64_t bits;
-      std::memcpy(&bits, &value, sizeof bits);
-      hash = (hash ^ bits) * 0x9E3779B97F4A7C15u;
-      hash ^= hash >> 32;
-    }
-    return static_cast<std::uint32_t>((hash * 0x9E3779B97F4A7C15u) >> 32);
-  }
-
-  void sortByPart()
-  {
-    const std::size_t count = mesh_.vertexCount();
-    hash_.resize(count);
-    forEachChunk(count, threads_, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v)
-        hash_[v] = hashOf(mesh_.position(v));
-    });
-    for (const std::uint32_t hash : hash_)
-      ++firstOfPart_[(hash >> (32 - kPartBits)) + 1];
-    std::partial_sum(firstOfPart_, firstOfPart_ + kParts + 1, firstOfPart_);
-    order_.resize(count);
-    std::size_t next[kParts];
-    std::copy_n(firstOfPart_, kParts, next);
-    for (std::size_t v = 0; v < count; ++v)
-      order_[next[hash_[v] >> (32 - kPartBits)]++] = static_cast<std::uint32_t>(v);
-  }
-
-  void weldPart(std::size_t part, std::vector<std::uint32_t>& first) const
-  {
-    const std::size_t begin = firstOfPart_[part], end = firstOfPart_[part + 1];
-    std::size_t slots = 16;
-    while (slots < 2 * (end - begin))
-      slots *= 2;
-    std::vector<std::uint32_t> table(slots, kNone);
-    for (std::size_t i = begin; i < end; ++i) {
-      const std::uint32_t v = order_[i];
-      const Vec3d p = mesh_.position(v);
-      std::size_t slot = hash_[v] & (slots - 1);
-      while (table[slot] != kNone && !areSame(mesh_.position(table[slot]), p))
-        slot = (slot + 1) & (slots - 1);
-      // What is not a number equals nothing, and stays alone.
-      if (table[slot] == kNone && isFinite(p)) table[slot] = v;
-      first[v] = isFinite(p) ? table[slot] : v;
-    }
-  }
-
-  const MeshView& mesh_;
-  int threads_;
-  Array<std::uint32_t> hash_, order_;
-  std::size_t firstOfPart_[kParts + 1] = {};
-};
-
 bool isDrawable(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
 {
   for (const std::uint32_t v : triangle.vertex)
@@ -107,13 +32,6 @@ bool isDrawable(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
       return false;
   return true;
 }
-
-/// An edge of one triangle, listed at the smaller of its vertices.
-struct HalfEdge {
-  std::uint32_t end;     ///< the larger vertex
-  std::uint32_t corner;  ///< three times the triangle's number, and of the corner that it starts at
-  bool forward;          ///< from the smaller vertex to the larger
-};
 
 class EdgeFinder {
  public:
@@ -125,7 +43,6 @@ class EdgeFinder {
   void find()
   {
     findNormals();
-    listHalfEdges();
     pair();
     if (isClosed() && volume() < 0)
       for (Vec3f& normal : hull_.normal)
@@ -137,10 +54,6 @@ class EdgeFinder {
   std::uint32_t vertex(std::size_t corner) const
   {
     return hull_.weld[mesh_.triangles[corner / 3].vertex[corner % 3]];
-  }
-  std::uint32_t nextVertex(std::size_t corner) const
-  {
-    return vertex(corner / 3 * 3 + (corner + 1) % 3);
   }
   Vec3d position(std::uint32_t v) const { return mesh_.position(v) - hull_.origin; }
   bool counts(std::size_t triangle) const { return !(hull_.normal[triangle] == Vec3f{0, 0, 0}); }
@@ -163,63 +76,37 @@ class EdgeFinder {
                  });
   }
 
-  template <class Visit>
-  void forEachHalfEdge(Visit visit) const
-  {
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (!counts(t)) continue;
-      for (std::size_t corner = 3 * t; corner < 3 * t + 3; ++corner) {
-        const std::uint32_t a = vertex(corner), b = nextVertex(corner);
-        visit(std::min(a, b), HalfEdge{std::max(a, b), static_cast<std::uint32_t>(corner), a < b});
-      }
-    }
-  }
-
-  void listHalfEdges()
-  {
-    first_.assign(mesh_.vertexCount() + 1, 0);
-    forEachHalfEdge([&](std::uint32_t vertex, const HalfEdge&) { ++first_[vertex + 1]; });
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    halfEdges_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    forEachHalfEdge(
-        [&](std::uint32_t vertex, const HalfEdge& edge) { halfEdges_[next[vertex]++] = edge; });
-  }
-
   /// Pairs the half edges of each vertex; what is left over is counted.
   void pair()
   {
+    HalfEdges halves(mesh_, hull_.weld, threads_, [this](std::size_t t) { return counts(t); });
     const std::size_t vertices = mesh_.vertexCount();
     const std::size_t chunks = (vertices + kChunk - 1) / kChunk;
     pairs_.resize(chunks);
     unpaired_.assign(chunks, 0);
     forEachChunk(vertices, threads_, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
       for (std::size_t v = begin; v < end; ++v)
-        pairAt(static_cast<std::uint32_t>(v), pairs_[chunk], unpaired_[chunk]);
+        pairAt(static_cast<std::uint32_t>(v), halves.sorted(v), pairs_[chunk], unpaired_[chunk]);
     });
-    halfEdges_ = {};
   }
 
-  void pairAt(std::uint32_t v, std::vector<HullEdge>& pairs, std::size_t& unpaired)
+  void pairAt(std::uint32_t v, Span<HalfEdge> halves, std::vector<HullEdge>& pairs,
+              std::size_t& unpaired) const
   {
-    HalfEdge* const begin = halfEdges_.data() + first_[v];
-    HalfEdge* const end = halfEdges_.data() + first_[v + 1];
-    std::sort(begin, end, [](const HalfEdge& a, const HalfEdge& b) {
-      return a.end != b.end ? a.end < b.end : a.corner < b.corner;
-    });
     constexpr std::uint32_t kTaken = std::numeric_limits<std::uint32_t>::max();
-    for (HalfEdge* edge = begin; edge != end; ++edge) {
+    const auto isForward = [&](const HalfEdge& half) { return vertex(half.corner) == v; };
+    for (HalfEdge* edge = halves.begin(); edge != halves.end(); ++edge) {
       if (edge->corner == kTaken) continue;
+      const bool forward = isForward(*edge);
       HalfEdge* other = edge + 1;
-      while (other != end && other->end == edge->end &&
-             (other->corner == kTaken || other->forward == edge->forward))
+      while (other != halves.end() && other->end == edge->end &&
+             (other->corner == kTaken || isForward(*other) == forward))
         ++other;
-      if (other == end || other->end != edge->end) {
+      if (other == halves.end() || other->end != edge->end) {
         ++unpaired;
         continue;
       }
-      const HalfEdge &there = edge->forward ? *edge : *other,
-                     &back = edge->forward ? *other : *edge;
+      const HalfEdge &there = forward ? *edge : *other, &back = forward ? *other : *edge;
       pairs.push_back({{v, edge->end}, {there.corner / 3, back.corner / 3}});
       other->corner = kTaken;
     }
@@ -285,8 +172,6 @@ class EdgeFinder {
   const MeshView& mesh_;
   int threads_;
   HullEdges& hull_;
-  std::vector<std::uint32_t> first_;  ///< by vertex, its half edges
-  Array<HalfEdge> halfEdges_;
   std::vector<std::vector<HullEdge>> pairs_;
   std::vector<std::size_t> unpaired_;
 };
@@ -301,7 +186,7 @@ Status buildHullEdges(const MeshView& mesh, int threads, HullEdges& hull)
             "The mesh has too many triangles or vertices for an inverted hull; cut it into parts."};
   hull = {};
   hull.origin = localOrigin(finiteBox(mesh, threads));
-  hull.weld = Welder(mesh, threads).weld();
+  hull.weld = weldVertices(mesh, 0, threads);
   EdgeFinder(mesh, threads, hull).find();
   return {};
 }

@@ -4,16 +4,13 @@
 
 #include "Rendering/Base/Executor.h"
 #include "Rendering/Base/Power.h"
+#include "Rendering/Mesh/CornerLists.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
-#include <numeric>
 
 namespace limn {
 namespace {
-
-using Corners = std::array<Vec3d, 3>;
 
 /// Outward, as long as twice the area; zero for a triangle that does not count.
 Vec3d twiceArea(const MeshView& mesh, const Triangle& triangle)
@@ -26,52 +23,16 @@ Vec3d twiceArea(const MeshView& mesh, const Triangle& triangle)
   return isFinite(area) ? area : Vec3d{0, 0, 0};
 }
 
-/// What a triangle of this vector area, not zero, adds at its corner k.
-Vec3d contribution(const MeshView& mesh, const Triangle& triangle, int k, Vec3d area,
+/// What a triangle of this vector area, not zero, and this unit normal adds at its corner k.
+Vec3d contribution(const MeshView& mesh, const Triangle& triangle, int k, Vec3d area, Vec3d normal,
                    NormalWeight weight)
 {
   if (weight == NormalWeight::kArea) return area;
-  const Vec3d normal = normalized(area);
   if (weight == NormalWeight::kUniform) return normal;
   const auto position = [&](int i) { return mesh.position(triangle.vertex[(k + i) % 3]); };
   const Vec3d u = position(1) - position(0), v = position(2) - position(0);
   return normal * angleOf(dot(u, v), std::sqrt(dot(area, area)));
 }
-
-/// The corners around each vertex, by their number: three times the triangle's and 0 to 2.
-class CornersOfVertices {
- public:
-  explicit CornersOfVertices(const MeshView& mesh) : first_(mesh.vertexCount() + 1, 0)
-  {
-    forEachCorner(mesh, [&](std::uint32_t vertex, std::uint32_t) { ++first_[vertex + 1]; });
-    std::partial_sum(first_.begin(), first_.end(), first_.begin());
-    corners_.resize(first_.back());
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    forEachCorner(mesh, [&](std::uint32_t vertex, std::uint32_t corner) {
-      corners_[next[vertex]++] = corner;
-    });
-  }
-
-  Span<const std::uint32_t> of(std::size_t vertex) const
-  {
-    return {corners_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
-  }
-
- private:
-  template <class Visit>
-  static void forEachCorner(const MeshView& mesh, Visit visit)
-  {
-    const std::size_t vertices = mesh.vertexCount();
-    std::uint32_t corner = 0;
-    for (const Triangle& triangle : mesh.triangles)
-      for (const std::uint32_t vertex : triangle.vertex) {
-        if (vertex < vertices) visit(vertex, corner);
-        ++corner;
-      }
-  }
-
-  std::vector<std::uint32_t> first_, corners_;
-};
 
 /// Groups the corners around one vertex and sums each group's normal. Kept from vertex to vertex
 /// for its memory.
@@ -134,17 +95,30 @@ class CornerGroups {
     const bool isOneCell = !cells_.empty() && cells_[triangles_[a]] == cells_[triangles_[b]];
     return isOneCell || dot(corners_[a].normal, corners_[b].normal) >= cosine_;
   }
+  void join(const Edge& a, const Edge& b)
+  {
+    if (!isSmooth(a.corner, b.corner)) return;
+    const std::uint32_t x = rootOf(a.corner), y = rootOf(b.corner);
+    corners_[std::max(x, y)].group = std::min(x, y);
+  }
+  /// Joins each corner with the next one at the same edge.
   void join()
   {
+    // Few are faster looked through than sorted.
+    constexpr std::size_t kFew = 24;
+    if (edges_.size() <= kFew) {
+      for (auto a = edges_.begin(); a != edges_.end(); ++a) {
+        const auto b = std::find_if(a + 1, edges_.end(),
+                                    [&](const Edge& other) { return other.end == a->end; });
+        if (b != edges_.end()) join(*a, *b);
+      }
+      return;
+    }
     std::sort(edges_.begin(), edges_.end(), [](const Edge& a, const Edge& b) {
       return a.end != b.end ? a.end < b.end : a.corner < b.corner;
     });
-    for (std::size_t i = 1; i < edges_.size(); ++i) {
-      const Edge a = edges_[i - 1], b = edges_[i];
-      if (a.end != b.end || !isSmooth(a.corner, b.corner)) continue;
-      const std::uint32_t x = rootOf(a.corner), y = rootOf(b.corner);
-      corners_[std::max(x, y)].group = std::min(x, y);
-    }
+    for (std::size_t i = 1; i < edges_.size(); ++i)
+      if (edges_[i - 1].end == edges_[i].end) join(edges_[i - 1], edges_[i]);
   }
 
   void number(Span<const std::uint32_t> corners, std::vector<Vec3f>& normals,
@@ -156,7 +130,7 @@ class CornerGroups {
       if (corner.area == Vec3d{0, 0, 0}) continue;
       Vec3d& sum = sums_[rootOf(i)];
       sum = sum + contribution(mesh_, triangleOf(corners[i]), static_cast<int>(corners[i] % 3),
-                               corner.area, weight_);
+                               corner.area, corner.normal, weight_);
     }
     for (std::uint32_t i = 0; i < corners.size(); ++i) {
       const std::uint32_t root = rootOf(i);
@@ -188,9 +162,10 @@ std::vector<Vec3f> vertexNormals(const MeshView& mesh, NormalWeight weight)
   for (const Triangle& triangle : mesh.triangles) {
     const Vec3d area = twiceArea(mesh, triangle);
     if (area == Vec3d{0, 0, 0}) continue;
+    const Vec3d normal = weight == NormalWeight::kArea ? area : normalized(area);
     for (int k = 0; k < 3; ++k) {
       Vec3d& sum = sums[triangle.vertex[k]];
-      sum = sum + contribution(mesh, triangle, k, area, weight);
+      sum = sum + contribution(mesh, triangle, k, area, normal, weight);
     }
   }
   std::vector<Vec3f> normals(count);
@@ -209,7 +184,7 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
             "parts, or without one."};
   // Corners without a vertex have the first normal: none of them is drawn.
   split.ofCorner.assign(3 * mesh.triangles.size(), 0);
-  const CornersOfVertices corners(mesh);
+  const CornerLists corners(mesh, threads, [](std::size_t) { return true; });
 
   constexpr std::size_t kBlock = 4096;
   const std::size_t blocks = (mesh.vertexCount() + kBlock - 1) / kBlock;

@@ -2,19 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/WeldVertices.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/Array.h"
+#include "Rendering/Base/ParallelStretches.h"
 
 #include <algorithm>
-#include <atomic>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 namespace limn {
 namespace {
 
-constexpr std::size_t kVerticesPerTask = 16384;
+constexpr std::size_t kVerticesPerTask = 65536;
 constexpr std::size_t kBuckets = 1024;
 
 std::uint64_t bitsOf(double value)
@@ -36,54 +38,65 @@ std::uint64_t hashOf(Vec3d p)
   return mixed(mixed(mixed(0, bitsOf(p.x)), bitsOf(p.y)), bitsOf(p.z));
 }
 
-bool isBefore(Vec3d a, Vec3d b)
-{
-  if (a.x != b.x) return a.x < b.x;
-  return a.y != b.y ? a.y < b.y : a.z < b.z;
-}
+struct HashedVertex {
+  std::uint32_t vertex, hash;
+};
 
-/// Vertices of a bucket by place, then number: the first of equal ones stands for all.
-void weldBucket(const MeshView& mesh, std::uint32_t* first, std::uint32_t* end,
+/// Gives each vertex of a bucket, ascending, the first one that is where it is.
+void weldBucket(const MeshView& mesh, Span<const HashedVertex> vertices,
                 std::vector<std::uint32_t>& place)
 {
-  std::sort(first, end, [&](std::uint32_t a, std::uint32_t b) {
-    const Vec3d p = mesh.position(a), q = mesh.position(b);
-    return p == q ? a < b : isBefore(p, q);
-  });
-  for (const std::uint32_t* v = first; v < end; ++v)
-    place[*v] = v > first && mesh.position(*v) == mesh.position(v[-1]) ? place[v[-1]] : *v;
+  constexpr HashedVertex kFree = {0xFFFFFFFFu, 0};
+  std::size_t slots = 16;
+  while (slots < 2 * vertices.size())
+    slots *= 2;
+  thread_local std::vector<HashedVertex> table;
+  table.assign(slots, kFree);
+  for (const HashedVertex& one : vertices) {
+    const auto isSame = [&](const HashedVertex& other) {
+      return other.hash == one.hash && mesh.position(other.vertex) == mesh.position(one.vertex);
+    };
+    std::size_t slot = one.hash & (slots - 1);
+    while (table[slot].vertex != kFree.vertex && !isSame(table[slot]))
+      slot = (slot + 1) & (slots - 1);
+    if (table[slot].vertex == kFree.vertex) table[slot] = one;
+    place[one.vertex] = table[slot].vertex;
+  }
 }
 
 std::vector<std::uint32_t> weldEqual(const MeshView& mesh, int threads)
 {
   const std::size_t count = mesh.vertexCount();
-  const std::size_t tasks = (count + kVerticesPerTask - 1) / kVerticesPerTask;
   std::vector<std::uint32_t> place(count);
-  std::vector<std::atomic<std::uint32_t>> next(kBuckets);
-  const auto forEachVertex = [&](const auto& visit) {
-    parallelFor(threads, tasks, [&](std::size_t task) {
-      const std::size_t end = std::min(count, (task + 1) * kVerticesPerTask);
-      for (std::size_t v = task * kVerticesPerTask; v < end; ++v)
-        if (const Vec3d p = mesh.position(v); isFinite(p))
-          visit(static_cast<std::uint32_t>(v), hashOf(p) % kBuckets);
-    });
-  };
   std::iota(place.begin(), place.end(), 0u);
-  forEachVertex([&](std::uint32_t, std::size_t bucket) {
-    next[bucket].fetch_add(1, std::memory_order_relaxed);
-  });
-  std::vector<std::uint32_t> first(kBuckets + 1, 0);
-  for (std::size_t b = 0; b < kBuckets; ++b) {
-    first[b + 1] = first[b] + next[b].load();
-    next[b].store(first[b]);
+  // For each task and bucket, first a number of vertices and then the place of the next.
+  using Buckets = std::array<std::uint32_t, kBuckets>;
+  std::vector<Buckets> next(stretchCount(count, kVerticesPerTask));
+  const auto forEachVertex = [&](const auto& visit) {
+    parallelForStretches(threads, count, kVerticesPerTask,
+                         [&](std::size_t task, std::size_t begin, std::size_t end) {
+                           for (std::size_t v = begin; v < end; ++v)
+                             if (const Vec3d p = mesh.position(v); isFinite(p)) {
+                               const std::uint64_t hash = hashOf(p);
+                               visit(next[task][hash % kBuckets],
+                                     HashedVertex{static_cast<std::uint32_t>(v),
+                                                  static_cast<std::uint32_t>(hash >> 32)});
+                             }
+                         });
+  };
+  forEachVertex([](std::uint32_t& number, const HashedVertex&) { ++number; });
+  std::vector<std::uint32_t> first;
+  std::uint32_t all = 0;
+  for (std::size_t bucket = 0; bucket < kBuckets; ++bucket) {
+    first.push_back(all);
+    for (Buckets& ofTask : next)
+      all += std::exchange(ofTask[bucket], all);
   }
-  std::vector<std::uint32_t> vertices(first.back());
-  forEachVertex([&](std::uint32_t v, std::size_t bucket) {
-    vertices[next[bucket].fetch_add(1, std::memory_order_relaxed)] = v;
-  });
-  // Sorting undoes the order in which threads came.
-  parallelFor(threads, kBuckets, [&](std::size_t b) {
-    weldBucket(mesh, vertices.data() + first[b], vertices.data() + first[b + 1], place);
+  first.push_back(all);
+  Array<HashedVertex> vertices(all);
+  forEachVertex([&](std::uint32_t& number, const HashedVertex& one) { vertices[number++] = one; });
+  parallelFor(threads, kBuckets, [&](std::size_t bucket) {
+    weldBucket(mesh, {vertices.data() + first[bucket], first[bucket + 1] - first[bucket]}, place);
   });
   return place;
 }
