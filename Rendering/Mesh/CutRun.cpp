@@ -138,8 +138,6 @@ class RunCutter {
     const auto cutAt = [&](std::size_t slice) {
       return begin + count * (parts * slice / slices) / parts;
     };
-    for (std::size_t slice = 1; slice < slices; ++slice)
-      selectAt(slice == 1 ? begin : cutAt(slice - 1), cutAt(slice));
     for (std::size_t slice = 0; slice < slices; ++slice)
       cut(cutAt(slice), cutAt(slice + 1));
   }
@@ -176,51 +174,33 @@ class RunCutter {
     return ranges;
   }
 
-  /// Sorts the members along their longest axis, into buckets. Returns in how many slices across
-  /// it they are best cut that will become `parts` clusters: so many that the clusters of a slice,
-  /// side by side, are about as wide as it is thick.
+  /// Sorts the members along their longest axis, as finely as it pays. Returns in how many slices
+  /// across it they are best cut that will become `parts` clusters: so many that the clusters of a
+  /// slice, side by side, are about as wide as it is thick.
   std::size_t sortForSlices(std::size_t begin, std::size_t end, std::size_t parts)
   {
     const Ranges ranges = rangesOf(begin, end);
     int order[3] = {0, 1, 2};
     std::sort(order, order + 3, [&](int a, int b) { return ranges.width(a) > ranges.width(b); });
-    axis_ = order[0];
-    low_ = ranges.low[axis_];
-    const int width = ranges.width(axis_);
-    scale_ = (std::uint32_t{kBuckets} << 16) / (static_cast<std::uint32_t>(width) + 1u);
-    std::fill(std::begin(bucketEnd_), std::end(bucketEnd_), 0u);
+    const int axis = order[0], low = ranges.low[axis], width = ranges.width(axis);
+    constexpr std::uint32_t kBuckets = 256;
+    const std::uint32_t scale = (kBuckets << 16) / (static_cast<std::uint32_t>(width) + 1u);
+    const auto bucketOf = [&](const Member& m) {
+      return static_cast<std::uint32_t>(m.centroid[axis] - low) * scale >> 16;
+    };
+    std::size_t next[kBuckets] = {};
     for (std::size_t i = begin; i < end; ++i)
-      ++bucketEnd_[bucketOf(member_[i])];
-    auto next = static_cast<std::uint32_t>(begin);
-    for (std::uint32_t& count : bucketEnd_)
-      next += std::exchange(count, next);
-    // The beginnings become the ends.
+      ++next[bucketOf(member_[i])];
+    std::size_t first = begin;
+    for (std::size_t& count : next)
+      first += std::exchange(count, first);
     std::copy(member_ + begin, member_ + end, old_ + begin);
     for (std::size_t i = begin; i < end; ++i)
-      member_[bucketEnd_[bucketOf(old_[i])]++] = old_[i];
+      member_[next[bucketOf(old_[i])]++] = old_[i];
 
     const double aspect = width / std::max(static_cast<double>(ranges.width(order[1])), 1.0);
     const double slices = std::sqrt(static_cast<double>(parts) * aspect) + 0.5;
     return std::clamp(static_cast<std::size_t>(std::min(slices, 1e9)), std::size_t{2}, parts);
-  }
-  std::uint32_t bucketOf(const Member& m) const
-  {
-    return static_cast<std::uint32_t>(m.centroid[axis_] - low_) * scale_ >> 16;
-  }
-
-  /// Orders the bucket of the member at `middle`, from `begin` on, so that those before it have the
-  /// smaller centroids.
-  void selectAt(std::size_t begin, std::size_t middle)
-  {
-    const std::uint32_t bucket = bucketOf(member_[middle]);
-    const std::size_t first = std::max<std::size_t>(begin, bucket > 0 ? bucketEnd_[bucket - 1] : 0);
-    const int axis = axis_;
-    std::nth_element(
-        member_ + first, member_ + middle, member_ + bucketEnd_[bucket],
-        [axis](const Member& a, const Member& b) {
-          return a.centroid[axis] < b.centroid[axis] ||
-                 (a.centroid[axis] == b.centroid[axis] && a.numberAndPair < b.numberAndPair);
-        });
   }
 
   /// Makes a cluster of a part, unless it has too many vertices.
@@ -279,11 +259,6 @@ class RunCutter {
   ClusterRun& run_;
   ClusterVertices vertices_;
   Member member_[kUnitsOfRun], old_[kUnitsOfRun];
-  // Of the range that is being cut:
-  static constexpr int kBuckets = 256;
-  std::uint32_t bucketEnd_[kBuckets];  ///< in member_
-  std::uint32_t scale_;                ///< buckets in a step of the axis, times 2^16
-  int axis_, low_;
   std::size_t vertexCount_ = 0;  ///< of the run's clusters so far
   std::uint32_t vertex_[3 * 2 * kUnitsOfRun];
   std::size_t triangleCount_;  ///< of all runs before, and of this one's clusters so far

@@ -121,6 +121,28 @@ TEST(BuildClusters, AreWellFilledOnAGrid)
   EXPECT_LT(bytes, 20.0);
 }
 
+TEST(BuildClusters, AreAboutAsWideAsHighOnAPlane)
+{
+  constexpr std::uint32_t kSide = 250;
+  Mesh grid;
+  for (std::uint32_t i = 0; i < kSide * kSide; ++i)
+    grid.positions.push_back(
+        {1.5f * static_cast<float>(i % kSide), static_cast<float>(i / kSide), 0});
+  for (std::uint32_t i = 0; i + kSide + 1 < kSide * kSide; ++i) {
+    if (i % kSide == kSide - 1) continue;
+    grid.triangles.push_back({{i, i + 1, i + kSide + 1}});
+    grid.triangles.push_back({{i, i + kSide + 1, i + kSide}});
+  }
+  const ClusteredMesh clusters = clustersOf(grid);
+  double side = 0;
+  for (const Cluster& c : clusters.clusters)
+    side += static_cast<double>((c.high.x - c.low.x) + (c.high.y - c.low.y)) / 2;
+  side /= static_cast<double>(clusters.clusters.size());
+  const double area =
+      1.5 * (kSide - 1) * (kSide - 1) / static_cast<double>(clusters.clusters.size());
+  EXPECT_LT(side, 1.25 * std::sqrt(area));
+}
+
 TEST(BuildClusters, DoNotDependOnTheThreads)
 {
   const Mesh mesh = meshOf(torus(400, 300, 1, 0.4));
