@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <memory>
 #include <utility>
 
@@ -47,16 +46,13 @@ static_assert(4 * kUnitsOfRun < 1 << 16, "a run has no more generations");
 /// A unit of a run: where its first triangle's centroid is, in steps of the run's box, and its
 /// number in the run, below which a bit tells whether it is two triangles.
 struct Member {
-  static constexpr int kHalf = 1 << 15;  ///< numbers are less this, as vectors compare signed ones
-  static_assert(2 * kUnitsOfRun <= std::size_t{2 * kHalf}, "a number must fit");
+  std::uint16_t centroid[3];
+  std::uint16_t numberAndPair;
 
-  std::int16_t centroid[3];
-  std::int16_t numberAndPair;
-
-  std::size_t number() const { return static_cast<std::size_t>(numberAndPair + kHalf) >> 1; }
-  std::size_t triangles() const { return 1 + (static_cast<std::size_t>(numberAndPair) & 1); }
+  std::size_t number() const { return numberAndPair >> 1; }
+  std::size_t triangles() const { return 1u + (numberAndPair & 1u); }
 };
-static_assert(sizeof(Member) == 8, "rangesOf() reads two as a vector");
+static_assert(2 * kUnitsOfRun <= 1 << 16, "a number must fit");
 
 /// Three times the centroid, which has the same order.
 template <class Vec>
@@ -115,14 +111,11 @@ class RunCutter {
     const Number steps = extent > 0 ? Number{65535} / extent : Number{0};
     const auto step = [&](Number x, Number from) {
       // Also of what is no number, as the sums of the largest have no differences.
-      const Number bounded = std::min(Number{65535}, (x - from) * steps);
-      return static_cast<std::int16_t>(static_cast<int>(bounded) - Member::kHalf);
+      return static_cast<std::uint16_t>(std::min(Number{65535}, (x - from) * steps));
     };
-    for (std::size_t i = 0; i < units_.size(); ++i) {
-      const auto number = static_cast<int>(2 * i + (units_[i].count() - 1));
+    for (std::size_t i = 0; i < units_.size(); ++i)
       member_[i] = {{step(sum[i].x, low.x), step(sum[i].y, low.y), step(sum[i].z, low.z)},
-                    static_cast<std::int16_t>(number - Member::kHalf)};
-    }
+                    static_cast<std::uint16_t>(2 * i + (units_[i].count() - 1))};
   }
 
   void cut(std::size_t begin, std::size_t end)
@@ -142,35 +135,20 @@ class RunCutter {
       cut(cutAt(slice), cutAt(slice + 1));
   }
 
-  struct Ranges {
-    std::int16_t low[3], high[3];
+  struct Range {
+    std::uint16_t low, high;
 
-    int width(int axis) const { return high[axis] - low[axis]; }
+    int width() const { return high - low; }
   };
-  Ranges rangesOf(std::size_t begin, std::size_t end) const
+  std::array<Range, 3> rangesOf(std::size_t begin, std::size_t end) const
   {
-    // Two members at a time: eight numbers, which the compiler takes as a vector.
-    constexpr std::size_t kNumbers = 8;
-    std::int16_t low[kNumbers], high[kNumbers], pair[kNumbers];
-    const auto read = [&](std::size_t first, std::size_t second) {
-      std::memcpy(pair, &member_[first], sizeof(Member));
-      std::memcpy(pair + kNumbers / 2, &member_[second], sizeof(Member));
-    };
-    read(begin, end - 1);
-    std::copy(pair, pair + kNumbers, low);
-    std::copy(pair, pair + kNumbers, high);
-    for (std::size_t i = begin; i + 1 < end; i += 2) {
-      read(i, i + 1);
-      for (std::size_t k = 0; k < kNumbers; ++k) {
-        low[k] = std::min(low[k], pair[k]);
-        high[k] = std::max(high[k], pair[k]);
+    std::array<Range, 3> ranges = {{{65535, 0}, {65535, 0}, {65535, 0}}};
+    for (std::size_t i = begin; i < end; ++i)
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        const std::uint16_t c = member_[i].centroid[axis];
+        ranges[axis].low = std::min(ranges[axis].low, c);
+        ranges[axis].high = std::max(ranges[axis].high, c);
       }
-    }
-    Ranges ranges;
-    for (std::size_t k = 0; k < 3; ++k) {
-      ranges.low[k] = std::min(low[k], low[k + kNumbers / 2]);
-      ranges.high[k] = std::max(high[k], high[k + kNumbers / 2]);
-    }
     return ranges;
   }
 
@@ -179,10 +157,12 @@ class RunCutter {
   /// slice, side by side, are about as wide as it is thick.
   std::size_t sortForSlices(std::size_t begin, std::size_t end, std::size_t parts)
   {
-    const Ranges ranges = rangesOf(begin, end);
-    int order[3] = {0, 1, 2};
-    std::sort(order, order + 3, [&](int a, int b) { return ranges.width(a) > ranges.width(b); });
-    const int axis = order[0], low = ranges.low[axis], width = ranges.width(axis);
+    const std::array<Range, 3> ranges = rangesOf(begin, end);
+    std::size_t order[3] = {0, 1, 2};
+    std::sort(order, order + 3,
+              [&](std::size_t a, std::size_t b) { return ranges[a].width() > ranges[b].width(); });
+    const std::size_t axis = order[0];
+    const int low = ranges[axis].low, width = ranges[axis].width();
     constexpr std::uint32_t kBuckets = 256;
     const std::uint32_t scale = (kBuckets << 16) / (static_cast<std::uint32_t>(width) + 1u);
     const auto bucketOf = [&](const Member& m) {
@@ -198,7 +178,7 @@ class RunCutter {
     for (std::size_t i = begin; i < end; ++i)
       member_[next[bucketOf(old_[i])]++] = old_[i];
 
-    const double aspect = width / std::max(static_cast<double>(ranges.width(order[1])), 1.0);
+    const double aspect = width / std::max(static_cast<double>(ranges[order[1]].width()), 1.0);
     const double slices = std::sqrt(static_cast<double>(parts) * aspect) + 0.5;
     return std::clamp(static_cast<std::size_t>(std::min(slices, 1e9)), std::size_t{2}, parts);
   }
