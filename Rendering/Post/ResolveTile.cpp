@@ -62,12 +62,13 @@ void copyRuns(const TileClusters& clusters, const VisibilityTile& tile, const Ti
 void copyFragments(const TileClusters& clusters, const TilePlace& place,
                    const FragmentList& fragments, const TileColors& colors, const FrameView& frame)
 {
-  for (std::size_t f = 0; f < fragments.count; ++f) {
-    const std::ptrdiff_t index = place.indexOf(fragments.pixel[f]);
-    frame.color[index] = colors.fragment[f];
-    if (frame.coverage != nullptr) frame.coverage[index] = 1;
-    writeNames(clusters, fragments.owner[f], frame, index, 1);
-  }
+  for (std::size_t f = 0; f < fragments.count; ++f)
+    frame.color[place.indexOf(fragments.pixel[f])] = colors.fragment[f];
+  for (std::size_t f = 0; frame.coverage != nullptr && f < fragments.count; ++f)
+    frame.coverage[place.indexOf(fragments.pixel[f])] = 1;
+  if (frame.instance == nullptr && frame.cell == nullptr) return;
+  for (std::size_t f = 0; f < fragments.count; ++f)
+    writeNames(clusters, fragments.owner[f], frame, place.indexOf(fragments.pixel[f]), 1);
 }
 
 /// Fragments of pixels with several samples.

@@ -184,6 +184,17 @@ bool isRun(Span<const std::uint32_t> numbers)
   return numbers[numbers.size() - 1] - numbers[0] == numbers.size() - 1;
 }
 
+/// Puts a batch's values where its fragments' numbers say.
+template <class Value>
+void keep(const Value* values, Span<const std::uint32_t> numbers, Array<Value>& fragments)
+{
+  if (isRun(numbers))
+    std::copy_n(values, numbers.size(), &fragments[numbers[0]]);
+  else
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      fragments[numbers[i]] = values[i];
+}
+
 /// setPoint() of one sample a pixel.
 void setCentres(FragmentBatch& batch, Span<const std::uint32_t> pixels,
                 Span<const std::uint32_t> numbers)
@@ -298,20 +309,18 @@ void FragmentShader::placeClippedFragments(const TileClusters& clusters)
 void FragmentShader::keepRadiance(Span<const std::uint32_t> numbers, RadianceArrays& fragments)
 {
   boundRadiance(batch_);
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    fragments.r[numbers[i]] = batch_.color.x[i];
-    fragments.g[numbers[i]] = batch_.color.y[i];
-    fragments.b[numbers[i]] = batch_.color.z[i];
-  }
+  const FragmentVectors& from = batch_.color;
+  keep(from.x, numbers, fragments.r);
+  keep(from.y, numbers, fragments.g);
+  keep(from.z, numbers, fragments.b);
 }
 
 void FragmentShader::keepVectors(Span<const std::uint32_t> numbers, VectorArrays& fragments) const
 {
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    fragments.x[numbers[i]] = batch_.color.x[i];
-    fragments.y[numbers[i]] = batch_.color.y[i];
-    fragments.z[numbers[i]] = batch_.color.z[i];
-  }
+  const FragmentVectors& from = batch_.color;
+  keep(from.x, numbers, fragments.x);
+  keep(from.y, numbers, fragments.y);
+  keep(from.z, numbers, fragments.z);
 }
 
 template <class Keep>
@@ -394,11 +403,7 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   forEachLit(clusters, pixels, samples, places, [&](const PlacedInstance& placed, auto numbers) {
     Rgba8 shaded[FragmentBatch::kCapacity];
     quantizeFragments(batch_, shaded);
-    if (isRun(numbers))
-      std::copy_n(shaded, numbers.size(), &colors.fragment[numbers[0]]);
-    else
-      for (std::size_t i = 0; i < numbers.size(); ++i)
-        colors.fragment[numbers[i]] = shaded[i];
+    keep(shaded, numbers, colors.fragment);
     if (colors.hasRadiance) keepRadiance(numbers, colors.fragmentRadiance);
     if (colors.hasNormals) {
       findNormals({clusters.scene, &placed}, batch_);
