@@ -54,13 +54,27 @@ struct PendingPoints {
 using Fronts = RecentValues<bool>;  ///< by normal
 
 /// Calls find(edge's number) for those of a task's edges about which a viewer may see both sides.
-template <class Find>
-void findTurning(const BoundedFacing& facing, std::size_t first, std::size_t end, const Find& find)
+template <class Fetch, class Find>
+void findTurning(const EdgeTable& table, const BoundedFacing& facing, std::size_t first,
+                 std::size_t end, const Fetch& fetch, const Find& find)
 {
   static_assert(kPerTask % kEdgesPerBound == 0, "tasks begin where boxes do");
   forEachBoundedEdge(
-      first, end, [&](std::size_t box) { return facing.side(box) != BoundedFacing::Side::kBoth; },
-      find);
+      table, first, end,
+      [&](std::size_t box) { return facing.side(box) != BoundedFacing::Side::kBoth; }, fetch, find);
+}
+
+/// Begins to read the places of an edge's ends and its triangles.
+void fetchEdge(const MeshView& mesh, const MeshEdge& edge)
+{
+  for (const std::uint32_t vertex : edge.vertex) {
+    if (mesh.positions.empty())
+      hwy::Prefetch(mesh.precisePositions.data() + vertex);
+    else
+      hwy::Prefetch(mesh.positions.data() + vertex);
+  }
+  for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
+    hwy::Prefetch(mesh.triangles.data() + edge.corner[f] / 3);
 }
 
 class ContourFinder {
@@ -83,8 +97,9 @@ class ContourFinder {
   {
     PendingPoints pending;
     Fronts fronts;
-    findTurning(bounds_, first, end,
-                [&](std::size_t e) { add(table_.edges[e], fronts, pending, found); });
+    findTurning(
+        table_, bounds_, first, end, [&](const MeshEdge& edge) { fetch(edge); },
+        [&](std::size_t e) { add(table_.edges[e], fronts, pending, found); });
     settle(pending, found);
   }
 
@@ -107,6 +122,16 @@ class ContourFinder {
   }
 
  private:
+  void fetch(const MeshEdge& edge) const
+  {
+    fetchEdge(mesh_, edge);
+    for (const std::uint32_t vertex : edge.vertex)
+      hwy::Prefetch(table_.place.data() + vertex);
+    if (arrays_.normalOfCorner.empty()) return;
+    for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
+      hwy::Prefetch(arrays_.normalOfCorner.data() + edge.corner[f]);
+  }
+
   void add(const MeshEdge& edge, Fronts& fronts, PendingPoints& pending, EdgeContours& found) const
   {
     EdgeSide sides[2] = {side(edge, 0, fronts), {}};
@@ -353,13 +378,15 @@ EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const F
         const auto isFront = [&](std::uint32_t corner) {
           return fronts.at(corner / 3, [&](std::uint32_t face) { return facing.isFront(face); });
         };
-        findTurning(bounded, first, end, [&](std::size_t e) {
-          const MeshEdge& edge = table.edges[e];
-          if (!edge.isShared()) return;
-          const bool isTurned = isFront(edge.corner[0]) != isFront(edge.corner[1]);
-          if (isTurned == (table.woundAlike[e] != 0))
-            found[task].push_back(static_cast<std::uint32_t>(e));
-        });
+        findTurning(
+            table, bounded, first, end, [&](const MeshEdge& edge) { fetchEdge(mesh, edge); },
+            [&](std::size_t e) {
+              const MeshEdge& edge = table.edges[e];
+              if (!edge.isShared()) return;
+              const bool isTurned = isFront(edge.corner[0]) != isFront(edge.corner[1]);
+              if (isTurned == (table.woundAlike[e] != 0))
+                found[task].push_back(static_cast<std::uint32_t>(e));
+            });
       });
   std::vector<std::uint32_t> chosen;
   for (const auto& some : found)

@@ -5,6 +5,8 @@
 #include "Rendering/Mesh/EdgeTable.h"
 #include "Rendering/Scene.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <vector>
@@ -39,17 +41,34 @@ FacingBounds boundNormals(const MeshView& mesh, const EdgeTable& table, const Fe
                           int threads);
 
 /// Calls visit(edge's number) for those of the edges [first, end) whose bounds are not left out:
-/// isLeftOut(number of a box). `first` is a multiple of kEdgesPerBound.
-template <class LeaveOut, class Visit>
-void forEachBoundedEdge(std::size_t first, std::size_t end, const LeaveOut& isLeftOut,
-                        const Visit& visit)
+/// isLeftOut(number of a box). `first` is a multiple of kEdgesPerBound. What is read of so few
+/// edges lies far apart in memory: fetch(edge) is to begin with that, a while before the visit.
+template <class LeaveOut, class Fetch, class Visit>
+void forEachBoundedEdge(const EdgeTable& table, std::size_t first, std::size_t end,
+                        const LeaveOut& isLeftOut, const Fetch& fetch, const Visit& visit)
 {
-  for (std::size_t e = first; e < end;) {
-    const std::size_t next = std::min(end, e + kEdgesPerBound);
-    if (!isLeftOut(e / kEdgesPerBound))
-      for (; e < next; ++e)
-        visit(e);
-    e = next;
+  constexpr std::size_t kMost = 64, kAhead = 2;
+  std::size_t kept[kMost];
+  const auto forEachOf = [&](std::size_t box, const auto& body) {
+    const std::size_t last = std::min(end, (box + 1) * kEdgesPerBound);
+    for (std::size_t e = box * kEdgesPerBound; e < last; ++e)
+      body(e);
+  };
+  const auto fetchBox = [&](std::size_t box) {
+    forEachOf(box, [&](std::size_t e) { fetch(table.edges[e]); });
+  };
+  const std::size_t boxes = (end + kEdgesPerBound - 1) / kEdgesPerBound;
+  for (std::size_t box = first / kEdgesPerBound; box < boxes;) {
+    std::size_t count = 0;
+    for (; box < boxes && count < kMost; ++box) {
+      if (isLeftOut(box)) continue;
+      forEachOf(box, [&](std::size_t e) { hwy::Prefetch(&table.edges[e]); });
+      kept[count++] = box;
+    }
+    for (std::size_t i = 0; i < count + kAhead; ++i) {
+      if (i < count) fetchBox(kept[i]);
+      if (i >= kAhead) forEachOf(kept[i - kAhead], visit);
+    }
   }
 }
 

@@ -117,6 +117,19 @@ class RadialField {
   {
   }
 
+  /// Begins to read what at() reads at an edge's ends.
+  void fetch(const MeshEdge& edge) const
+  {
+    for (const std::uint32_t vertex : edge.vertex) {
+      hwy::Prefetch(surface_.normals.data() + vertex);
+      hwy::Prefetch(surface_.curvature.data() + vertex);
+      if (surface_.mesh.positions.empty())
+        hwy::Prefetch(surface_.mesh.precisePositions.data() + vertex);
+      else
+        hwy::Prefetch(surface_.mesh.positions.data() + vertex);
+    }
+  }
+
   bool isFront(std::uint32_t vertex) const { return dot(normal(vertex), toEye(vertex)) > 0; }
   /// Where the vertex is seen from behind, `facing` is not above 0, and the rest is 0.
   RadialCurvature at(std::uint32_t vertex) const
@@ -207,7 +220,8 @@ ContourLines suggestiveContours(const CurvedSurface& surface, const EdgeTable& t
         };
         static_assert(kPerTask % kEdgesPerBound == 0, "tasks begin where boxes do");
         forEachBoundedEdge(
-            first, end, [&](std::size_t box) { return bounded.hasNone(box); },
+            table, first, end, [&](std::size_t box) { return bounded.hasNone(box); },
+            [&](const MeshEdge& edge) { field.fetch(edge); },
             [&](std::size_t e) {
               const MeshEdge& edge = table.edges[e];
               const RadialCurvature a = at(edge.vertex[0]);
