@@ -317,22 +317,28 @@ void weigh(bool mirrored, bool footprint, FragmentBatch& batch)
     };
     const auto never = hn::Lt(px, px);
     const auto clockwise = hn::Lt(edge(0, 1, x[2], y[2], never), hn::Zero(d));
-    const auto weighAt = [&](V atX, V atY, float(*weight)[FragmentBatch::kCapacity]) HWY_ATTR {
-      const auto share = [&](int k) HWY_ATTR {
-        return hn::Mul(hn::DemoteTo(df, edge((k + 1) % 3, (k + 2) % 3, atX, atY, clockwise)),
-                       hn::Load(df, batch.inverseW[k] + i));
-      };
-      const auto s0 = share(0), s1 = share(1), s2 = share(2);
+    const V e0 = edge(1, 2, px, py, clockwise), e1 = edge(2, 0, px, py, clockwise),
+            e2 = edge(0, 1, px, py, clockwise);
+    const auto inverseW = [&](int k) HWY_ATTR { return hn::Load(df, batch.inverseW[k] + i); };
+    const auto store = [&](V at0, V at1, V at2, float(*weight)[FragmentBatch::kCapacity]) HWY_ATTR {
+      const auto s0 = hn::Mul(hn::DemoteTo(df, at0), inverseW(0)),
+                 s1 = hn::Mul(hn::DemoteTo(df, at1), inverseW(1)),
+                 s2 = hn::Mul(hn::DemoteTo(df, at2), inverseW(2));
       const auto inverse = hn::Div(hn::Set(df, 1.0f), hn::Add(hn::Add(s0, s1), s2));
       hn::Store(hn::Mul(s0, inverse), df, weight[0] + i);
       hn::Store(hn::Mul(s1, inverse), df, weight[1] + i);
       hn::Store(hn::Mul(s2, inverse), df, weight[2] + i);
     };
-    weighAt(px, py, batch.weight);
+    store(e0, e1, e2, batch.weight);
     if (footprint) {
-      const V pixel = hn::Set(d, double{kSubpixels});
-      weighAt(hn::Add(px, pixel), py, batch.rightWeight);
-      weighAt(px, hn::Add(py, pixel), batch.aboveWeight);
+      // From pixel to pixel edge values change by whole numbers, exactly.
+      const V pixel = hn::IfThenElse(clockwise, hn::Set(d, -double{kSubpixels}),
+                                     hn::Set(d, double{kSubpixels}));
+      const auto step = [&](V from, V to) HWY_ATTR { return hn::Mul(hn::Sub(to, from), pixel); };
+      const auto right = [&](V e, int a, int b) HWY_ATTR { return hn::Add(e, step(y[b], y[a])); };
+      const auto above = [&](V e, int a, int b) HWY_ATTR { return hn::Add(e, step(x[a], x[b])); };
+      store(right(e0, 1, 2), right(e1, 2, 0), right(e2, 0, 1), batch.rightWeight);
+      store(above(e0, 1, 2), above(e1, 2, 0), above(e2, 0, 1), batch.aboveWeight);
     }
     const auto turned = hn::DemoteTo(df, hn::IfThenElseZero(clockwise, hn::Set(d, 1.0)));
     hn::Store(hn::IfThenElse(hn::Gt(turned, hn::Zero(df)), hn::Neg(outside), outside), df,
