@@ -200,6 +200,25 @@ class Lighting {
     return tonesData_ ? dataTone(style_, s.diffuse, hn::Sub(hn::Add(c, c), set(1.0f)))
                       : mul(s.diffuse, c);
   }
+  /// Whether bandedTone() is all that light() gives, by normals alone.
+  bool isBandedTone() const
+  {
+    return style_.toonBands >= 2 && style_.toneLight == ToneLight::kUpperRight &&
+           (style_.tone == Tone::kGooch || style_.tone == Tone::kGoochChapter) && !tonesData_ &&
+           !hasToneHighlight_;
+  }
+  /// light() of k_d with these normals where it is, a pixel to the right and above.
+  HWY_INLINE Lanes3 bandedTone(Lanes3 diffuse, Lanes3 normal, Lanes3 right, Lanes3 above) const
+  {
+    const Lanes3 l = toneLight(set(Vec3f{0, 0, 0}));
+    const auto facingOf = [&](Lanes3 n) HWY_ATTR {
+      return hn::Mul(hn::Add(set(1.0f), dot(l, n)), set(0.5f));
+    };
+    const V here = facingOf(normal);
+    const V slope = slopeOf({here, facingOf(right), facingOf(above)});
+    const V facing = stepped(here, slope, style_.toonBands);
+    return coolToWarm(diffuse, facing, hn::Sub(set(1.0f), facing));
+  }
   /// Whether light() is to be told about neighbours.
   bool readsNeighbours() const { return style_.toonBands >= 2; }
   /// light() with the edges of bands antialiased.
@@ -547,6 +566,14 @@ class Lighting {
                                                                           : blinnPhong(l, v, s);
     return hn::IfThenElseZero(isPositive(dot(l, s.normal)), highlight);
   }
+  /// The tone by what faces the light and what does not.
+  HWY_INLINE Lanes3 coolToWarm(Lanes3 diffuse, V facing, V averted) const
+  {
+    const Lanes3 cool = add(set(style_.toneCool), mul(diffuse, set(style_.coolSurface)));
+    const Lanes3 warm = add(set(style_.toneWarm), mul(diffuse, set(style_.warmSurface)));
+    return style_.tone == Tone::kGoochChapter ? add(mul(cool, facing), mul(warm, averted))
+                                              : add(mul(warm, facing), mul(cool, averted));
+  }
   HWY_NOINLINE Lanes3 toned(const Surface& s, const Neighbours* near = nullptr) const
   {
     if (style_.tone == Tone::kHatching) return hatchColor(s, hatchDarkness(s));
@@ -563,10 +590,7 @@ class Lighting {
       const V d = style_.toonBands >= 2 ? hn::Sub(facing, averted) : nl;
       return dataTone(style_, s.diffuse, style_.tone == Tone::kGoochChapter ? hn::Neg(d) : d);
     }
-    const Lanes3 cool = add(set(style_.toneCool), mul(s.diffuse, set(style_.coolSurface)));
-    const Lanes3 warm = add(set(style_.toneWarm), mul(s.diffuse, set(style_.warmSurface)));
-    Lanes3 tone = style_.tone == Tone::kGoochChapter ? add(mul(cool, facing), mul(warm, averted))
-                                                     : add(mul(warm, facing), mul(cool, averted));
+    Lanes3 tone = coolToWarm(s.diffuse, facing, averted);
     if (style_.tone == Tone::kMetal) tone = mul(tone, metalGrey(s.normal, l));
     if (!hasToneHighlight_) return tone;
     if (style_.toneHighlight == ToneHighlight::kWhite)

@@ -234,24 +234,33 @@ class FragmentLanes {
     }
   }
 
+  /// k_d without textures.
+  HWY_INLINE Lanes3 diffuse() const
+  {
+    const Material& m = instance_.material;
+    const Lanes3 data = colored() ? pixelColor() : set(Vec3f{0, 0, 0});
+    return mul(reflectance(m.diffuseColor, colored() ? &data : nullptr), set(m.diffuse));
+  }
   Surface surface(Lanes3 position, Lanes3 normal, const Lanes3* data) const
   {
     const Material& m = instance_.material;
-    const auto reflectance = [&](Vec3f own) HWY_ATTR {
-      const V full = set(255.0f);
-      return data == nullptr
-                 ? set(own)
-                 : Lanes3{hn::Div(data->x, full), hn::Div(data->y, full), hn::Div(data->z, full)};
-    };
     return {position,
             normal,
-            mul(reflectance(m.ambientColor), set(m.ambient)),
-            mul(reflectance(m.diffuseColor), set(m.diffuse)),
+            mul(reflectance(m.ambientColor, data), set(m.ambient)),
+            mul(reflectance(m.diffuseColor, data), set(m.diffuse)),
             mul(set(m.specularColor), set(m.specular)),
             m.specularPower};
   }
 
  private:
+  /// The data's colour, if any, in place of the material's own.
+  static HWY_INLINE Lanes3 reflectance(Vec3f own, const Lanes3* data)
+  {
+    const V full = set(255.0f);
+    return data == nullptr
+               ? set(own)
+               : Lanes3{hn::Div(data->x, full), hn::Div(data->y, full), hn::Div(data->z, full)};
+  }
   HWY_INLINE Lanes3 value(const FragmentBatch::Vectors& v) const
   {
     return {lanes_.value(v.x), lanes_.value(v.y), lanes_.value(v.z)};
@@ -370,6 +379,8 @@ class Shader {
         layers_(context.placed->instance->layers),
         isPlain_(layers_.empty() && !lighting.readsNeighbours() && !style_.isPerPixel()),
         isOutlined_(style_.outlineThreshold > 0.0f || style_.evenOutline),
+        isBandedTone_(layers_.empty() && style_.frequency == ShadingFrequency::kPhong &&
+                      lighting.isBandedTone()),
         lanes_(context, batch, lanes)
   {
   }
@@ -450,6 +461,7 @@ class Shader {
   /// With textures, or with bands of tone.
   Lanes3 shadeSpecial() const
   {
+    if (isBandedTone_) return bandedTone();
     const Lanes3 data = lanes_.colored() ? lanes_.pixelColor() : none();
     const Lanes3* const own = lanes_.colored() ? &data : nullptr;
     const bool gouraud = style_.frequency == ShadingFrequency::kGouraud;
@@ -467,6 +479,14 @@ class Shader {
                   lighting_.readsNeighbours() && style_.frequency == ShadingFrequency::kPhong
                       ? lightInBands(surface)
                       : lighting_.light(surface));
+  }
+  /// Apart from lightInBands(), as it needs so much less.
+  HWY_NOINLINE Lanes3 bandedTone() const
+  {
+    const CornerWeights& weights = lanes_.weights();
+    return lighting_.bandedTone(lanes_.diffuse(), lanes_.pixelNormal(),
+                                lanes_.movedTo(weights.right).pixelNormal(),
+                                lanes_.movedTo(weights.above).pixelNormal());
   }
   HWY_NOINLINE Lanes3 lightInBands(const Surface& surface) const
   {
@@ -591,7 +611,7 @@ class Shader {
   const Lighting& lighting_;
   const Style& style_;
   Span<const TextureLayer> layers_;
-  bool isPlain_, isOutlined_;
+  bool isPlain_, isOutlined_, isBandedTone_;
   FragmentLanes<Lanes> lanes_;
   // Not left to a default constructor, which GCC compiles without the target's instructions.
   Lanes3 lit_[3] = {none(), none(), none()};
