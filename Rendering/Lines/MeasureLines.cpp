@@ -86,8 +86,14 @@ void LineMeasure::findEdges(const Pixel& pixel)
          edge != row.lastEdge && edge->column <= pixel.x + pixel.reach; ++edge) {
       if (edge->column < pixel.x - pixel.reach || edge->instance != pixel.instance) continue;
       const Vec2f way = edge->foot - pixel.centre;
-      if (!(dot(edge->normal, way) < -kOutside))
-        near_.push_back({edge, {edge->column, row.y}, way});
+      if (dot(edge->normal, way) < -kOutside) continue;
+      // Number by number: pairs that are put together to be copied whole wait for each other.
+      NearEdge& near = near_.emplace_back();
+      near.edge = edge;
+      near.place.x = edge->column;
+      near.place.y = row.y;
+      near.way.x = way.x;
+      near.way.y = way.y;
     }
   }
 }
