@@ -192,6 +192,7 @@ class ChainCutter {
     const double x = segment.at(share, &LinePoint::x), y = segment.at(share, &LinePoint::y);
     const double tested = segment.at(share, &LinePoint::tested);
     const int column = inside(x, frame_.width), row = inside(y, frame_.height);
+    if (isDeepBehind(column, row, tested)) return false;
     // The pixel itself first: it mostly settles it.
     constexpr int kOrder[9][2] = {{0, 0},   {-1, 0}, {1, 0},  {0, -1}, {0, 1},
                                   {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
@@ -206,6 +207,26 @@ class ChainCutter {
       if (carried + bias >= tested) return true;
     }
     return false;
+  }
+  /// Whether a depth is farther than what can be carried there from any of the pixels around: these
+  /// are less than two pixels away in x and y, half of one more counts, and slopes are differences
+  /// between them and those beside them.
+  bool isDeepBehind(int column, int row, double tested) const
+  {
+    constexpr int kReach = 2;
+    if (column < kReach || row < kReach || column + kReach >= frame_.width ||
+        row + kReach >= frame_.height)
+      return false;
+    const float* at = frame_.depth + (row - kReach) * frame_.rowStride + (column - kReach);
+    float low = *at, high = *at;
+    for (int y = 0; y <= 2 * kReach; ++y, at += frame_.rowStride)
+      for (int x = 0; x <= 2 * kReach; ++x) {
+        low = at[x] < low ? at[x] : low;
+        high = at[x] > high ? at[x] : high;
+      }
+    constexpr double kMostPixels = 2 * (1.5 + kSlopePixels), kRounding = 1e-9;
+    const double nearest = low, farthest = high;
+    return tested > farthest + kMostPixels * (farthest - nearest) + (kDepthBias + kRounding);
   }
   /// How the depth grows from pixel to pixel. Of the two sides the one that slopes less: the other
   /// may be the edge of something else.
