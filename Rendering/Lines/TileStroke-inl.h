@@ -64,7 +64,9 @@ void coverStrokeKernel(const TileStroke& stroke, StrokeTile& tile)
     const V y = set(static_cast<float>(row) + 0.5f);
     float* const coverage = tile.coverage + row * kTileSide;
     float* const depth = tile.depth + row * kTileSide;
-    for (int column = columns.first / step * step; column < columns.end; column += step) {
+    // Strokes are narrow: from their own first column on one vector mostly holds all of a row.
+    for (int first = columns.first; first < columns.end; first += step) {
+      const int column = std::min(first, kTileSide - step);
       const V x = hn::Add(set(static_cast<float>(column)), iota);
       const V d = hn::Add(hn::Add(set(stroke.distance), hn::Mul(x, set(stroke.normalX))),
                           hn::Mul(y, set(stroke.normalY)));
@@ -81,12 +83,12 @@ void coverStrokeKernel(const TileStroke& stroke, StrokeTile& tile)
       const V along = inUnitRange(hn::Sub(lesser(hn::Add(s, half), set(stroke.endLimit)),
                                           greater(hn::Sub(s, half), set(stroke.startLimit))));
       const V covered = hn::Mul(across, along);
-      const V old = hn::Load(lanes, coverage + column);
-      hn::Store(greater(old, covered), lanes, coverage + column);
+      const V old = hn::LoadU(lanes, coverage + column);
+      hn::StoreU(greater(old, covered), lanes, coverage + column);
       const V z = hn::Add(set(stroke.nearest), hn::Mul(t, set(stroke.depthGrowth)));
-      const V oldDepth = hn::Load(lanes, depth + column);
-      hn::Store(hn::IfThenElse(isPositive(covered), lesser(oldDepth, z), oldDepth), lanes,
-                depth + column);
+      const V oldDepth = hn::LoadU(lanes, depth + column);
+      hn::StoreU(hn::IfThenElse(isPositive(covered), lesser(oldDepth, z), oldDepth), lanes,
+                 depth + column);
     }
   }
 }
