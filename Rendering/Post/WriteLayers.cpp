@@ -10,6 +10,7 @@
 #include <hwy/base.h>
 
 #include <algorithm>
+#include <cstring>
 
 namespace limn {
 namespace {
@@ -26,6 +27,7 @@ class LayerWriter {
         pixels_(pixels),
         fragments_(fragments),
         colors_(colors),
+        isAlone_(clusters.scene->instances.size() == 1),
         isKeptApart_(target.background == Background::kKeepApart),
         allSamples_(static_cast<std::uint8_t>(scene_.samples)),
         resolved_(resolved),
@@ -39,7 +41,10 @@ class LayerWriter {
       const FragmentRun& run = fragments_.run[r];
       if (run.length == 0) continue;
       const std::size_t index = indexOf(run.pixel), length = run.length;
-      std::fill_n(layers_.instance.data() + index, length, instanceOf(tile_.owner[0][run.pixel]));
+      if (isAlone_)
+        setLone(index, length);
+      else
+        std::fill_n(layers_.instance.data() + index, length, instanceOf(tile_.owner[0][run.pixel]));
       copyVectors(colors_.pixelNormal, run.pixel, length, layers_.normal, index);
       copyVectors(colors_.pixelPlane, run.pixel, length, layers_.plane, index);
       std::copy_n(colors_.pixel + run.pixel, length, layers_.color.data() + index);
@@ -134,6 +139,25 @@ class LayerWriter {
   void writeStretch(std::size_t first, std::size_t length)
   {
     const std::size_t pixel = fragments_.pixel[first], index = indexOf(pixel);
+    if (isAlone_)
+      setLone(index, length);
+    else
+      setInstances(first, length, index);
+    std::copy_n(tile_.depth[0] + pixel, length, layers_.depth.data() + index);
+    std::copy_n(colors_.fragment.data() + first, length, layers_.color.data() + index);
+    copyVectors(colors_.fragmentNormal, first, length, layers_.normal, index);
+    copyVectors(colors_.fragmentPlane, first, length, layers_.plane, index);
+    for (std::size_t i = 0; colors_.hasRadiance && i < length; ++i)
+      layers_.radiance[index + i] = radianceOf(colors_.fragmentRadiance, first + i);
+  }
+
+  /// Of the scene's only instance. Not by a loop of the compiler's, which would not go by vectors.
+  void setLone(std::size_t index, std::size_t length)
+  {
+    std::memset(layers_.instance.data() + index, 0, length * sizeof(std::uint32_t));
+  }
+  void setInstances(std::size_t first, std::size_t length, std::size_t index)
+  {
     std::uint32_t* const instance = layers_.instance.data() + index;
     std::uint32_t owner = fragments_.owner[first], number = instanceOf(owner);
     for (std::size_t i = 0; i < length; ++i) {
@@ -142,12 +166,6 @@ class LayerWriter {
       owner = next;
       instance[i] = number;
     }
-    std::copy_n(tile_.depth[0] + pixel, length, layers_.depth.data() + index);
-    std::copy_n(colors_.fragment.data() + first, length, layers_.color.data() + index);
-    copyVectors(colors_.fragmentNormal, first, length, layers_.normal, index);
-    copyVectors(colors_.fragmentPlane, first, length, layers_.plane, index);
-    for (std::size_t i = 0; colors_.hasRadiance && i < length; ++i)
-      layers_.radiance[index + i] = radianceOf(colors_.fragmentRadiance, first + i);
   }
 
   /// Of a pixel that shows one triangle and nothing else.
@@ -327,7 +345,7 @@ class LayerWriter {
   const TileRectangle& pixels_;
   const FragmentList& fragments_;
   const TileColors& colors_;
-  bool isKeptApart_;
+  bool isAlone_, isKeptApart_;
   std::uint8_t allSamples_;
   const ResolvedTile* resolved_;
   SurfaceLayers& layers_;
@@ -337,9 +355,10 @@ class LayerWriter {
 
 void clearLayers(const TileRectangle& pixels, SurfaceLayers& layers)
 {
+  static_assert(kNobody == 0xFFFFFFFFu, "bytes of 0xFF");
   for (int y = pixels.y0; y < pixels.y1; ++y)
-    std::fill(layers.instance.data() + layers.indexOf(pixels.x0, y),
-              layers.instance.data() + layers.indexOf(pixels.x1, y), kNobody);
+    std::memset(layers.instance.data() + layers.indexOf(pixels.x0, y), 0xFF,
+                static_cast<std::size_t>(pixels.x1 - pixels.x0) * sizeof(std::uint32_t));
 }
 
 void writeLayers(const TileClusters& clusters, const VisibilityTile& tile,

@@ -7,6 +7,7 @@
 #include "Rendering/Shading/ShadingOffsets.h"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -195,17 +196,32 @@ void keep(const Value* values, Span<const std::uint32_t> numbers, Array<Value>& 
       fragments[numbers[i]] = values[i];
 }
 
+/// kPixelCentre as often as a batch has fragments. Copied, as the compiler's own loops do not go by
+/// vectors here.
+struct PixelCentres {
+  std::int32_t x[FragmentBatch::kCapacity] = {}, y[FragmentBatch::kCapacity] = {};
+
+  constexpr PixelCentres()
+  {
+    for (int i = 0; i < FragmentBatch::kCapacity; ++i) {
+      x[i] = kPixelCentre.x;
+      y[i] = kPixelCentre.y;
+    }
+  }
+};
+constexpr PixelCentres kPixelCentres;
+
 /// setPoint() of one sample a pixel.
 void setCentres(FragmentBatch& batch, Span<const std::uint32_t> pixels,
                 Span<const std::uint32_t> numbers)
 {
   if (isRun(numbers))
-    std::copy_n(pixels.data() + numbers[0], numbers.size(), batch.pixel);
+    std::memcpy(batch.pixel, pixels.data() + numbers[0], numbers.size() * sizeof *batch.pixel);
   else
     for (std::size_t i = 0; i < numbers.size(); ++i)
       batch.pixel[i] = static_cast<std::int32_t>(pixels[numbers[i]]);
-  std::fill_n(batch.pointX, numbers.size(), kPixelCentre.x);
-  std::fill_n(batch.pointY, numbers.size(), kPixelCentre.y);
+  std::copy_n(kPixelCentres.x, numbers.size(), batch.pointX);
+  std::copy_n(kPixelCentres.y, numbers.size(), batch.pointY);
 }
 
 bool isProgrammed(const PlacedInstance& placed)
