@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <functional>
 
 #undef HWY_TARGET_INCLUDE
@@ -81,6 +82,30 @@ NeighbourRows::NeighbourRows(const SurfaceLayers& layers, const NeighbourBounds&
     bytes->assign(room, 0);
 }
 
+namespace {
+
+/// PixelMark bits of as many pixels as Word has bytes: an edge where a step lies at any side, and
+/// creases, as far as instances ask for them.
+template <class Word>
+void markPixels(const std::uint8_t* pairs, const std::uint8_t* left, const std::uint8_t* below,
+                const std::uint8_t* asks, std::uint8_t* marks)
+{
+  static_assert(kMayHaveEdge == kStepRight && kStepAbove == kStepRight << 3, "bits are moved");
+  constexpr auto kOnes = static_cast<Word>(static_cast<Word>(~Word{0}) / 0xFF);  // 1 in each byte
+  constexpr auto kCreases = static_cast<Word>(kOnes * (kMayCreaseRight | kMayCreaseAbove));
+  const auto load = [](const std::uint8_t* bytes) {
+    Word word;
+    std::memcpy(&word, bytes, sizeof word);
+    return word;
+  };
+  const Word own = load(pairs), under = load(below);
+  const auto steps = static_cast<Word>((own | load(left) | (own | under) >> 3) & kOnes);
+  const auto marked = static_cast<Word>((steps | (own & kCreases)) & load(asks));
+  std::memcpy(marks, &marked, sizeof marked);
+}
+
+}  // namespace
+
 /// Between a row's pixels, and from it to the row above.
 void NeighbourRows::comparePairs(int y)
 {
@@ -104,15 +129,12 @@ const std::uint8_t* NeighbourRows::marksOf(int y)
   comparePairs(y);
   const std::uint8_t *const left = pairs_.data(), *const pairs = left + 1,
                             *const below = below_.data() + 1, *const asks = asks_.data();
-  std::uint8_t* const marks = marks_.data();
-  const std::size_t count = count_;
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto steps = static_cast<std::uint8_t>(pairs[i] | left[i] | pairs[i] / kStepAbove |
-                                                 below[i] / kStepAbove);
-    constexpr unsigned kCreases = kMayCreaseRight | kMayCreaseAbove;
-    marks[i] =
-        static_cast<std::uint8_t>(((steps & kMayHaveEdge) | (pairs[i] & kCreases)) & asks[i]);
-  }
+  // Eight pixels at once, then those that are left.
+  std::size_t i = 0;
+  for (; i + sizeof(std::uint64_t) <= count_; i += sizeof(std::uint64_t))
+    markPixels<std::uint64_t>(pairs + i, left + i, below + i, asks + i, marks_.data() + i);
+  for (; i < count_; ++i)
+    markPixels<std::uint8_t>(pairs + i, left + i, below + i, asks + i, marks_.data() + i);
   return marks_.data();
 }
 
