@@ -42,7 +42,9 @@ inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
 /// Lines along borders to other instances and to the background, along steps and along creases.
 /// Steps and borders belong to the nearer surface: the line lies inside of it,
 /// `Style::outlineWidth` wide from the border, which is found in the coverage of the samples to a
-/// part of a pixel. Creases lie in the middle of their line. Antialiased by the share of the pixel
+/// part of a pixel. Creases lie in the middle of their line, and so do borders along which two
+/// instances cut each other, each drawing what is on its side: more of it, up to all, where it
+/// comes to its outline, and all of it if only one has lines. Antialiased by the share of the pixel
 /// that the line covers. A line is drawn in the pixels of its surface: those from which a straight
 /// way to it crosses no step by kPlane and no other instance; and in pixels that a surface shares
 /// with another one's border as if it filled them, as far as it does.
@@ -51,6 +53,16 @@ struct ImageOutline {
   /// a border. Where normals differ they count as creases, so that a crease's line is one though
   /// here and there it is a step; where they do not, those that touch a crease are kept.
   static constexpr unsigned kSmallestStep = 8;
+  /// Creases that cross fewer ways from a pixel to the next, one after the other, are left out; but
+  /// for those that touch a border or a step's line.
+  static constexpr unsigned kShortestCrease = 8;
+  /// Two instances cut each other where each lies before the other's plane. The plane of a rounded
+  /// one runs a little before it: of how far the one is before the other's that may be behind by
+  /// this share.
+  static constexpr float kBesideCut = 0.125f;
+  /// And where the steeper is not too steep to tell how far it goes on: the square of one over its
+  /// normal's cosine to the gaze, here that of 12 pixels in depth for one aside.
+  static constexpr float kSteepestCut = 145;
   /// Where two surfaces meet in a groove there is no step, though a steep one leaves the other's
   /// plane by more than depthTolerance within a pixel. Where one ends before another their planes
   /// may meet between two pixels, too, but then the steeper one bends: it is a groove if the

@@ -38,7 +38,7 @@ EdgeFinder::EdgeFinder(const OutlinePass& pass)
         {isOutlined, outline.detector, outline.creases, crease, hasIdBorders(instance)});
     bounds_.asks.push_back(
         !isOutlined
-            ? 0
+            ? kMayHaveEdge  // what cuts others
             : kMayHaveEdge | kMayCreaseRight | kMayCreaseAbove |
                   (outline.detector == OutlineDetector::kPlane ? 0 : NeighbourBounds::kAlways));
     bounds_.tolerance.push_back(outline.depthTolerance);
@@ -139,9 +139,7 @@ bool EdgeFinder::isGroove(const Pixel& first, const Pixel& second,
            1.0f - dot(layers_.normal[behind], layers_.normal[pixel.index]) <= ImageOutline::kFlat;
   };
   if (!(distances.ofFirst > 0.0f && distances.ofSecond > 0.0f)) return false;
-  const Vec3f eye = towardEye(first.layer, second.layer);
-  const bool isFirst = dot(first.layer.plane, eye) < dot(second.layer.plane, eye);
-  return isFirst ? isFlat(first, second) : isFlat(second, first);
+  return isSteeper(first.layer, second.layer) ? isFlat(first, second) : isFlat(second, first);
 }
 
 /// From between them, of some length.
@@ -149,6 +147,12 @@ Vec3f EdgeFinder::towardEye(const SurfacePatch& first, const SurfacePatch& secon
 {
   return pass_.scene.camera.parallel ? Vec3f{0, 0, 1}
                                      : -(first.point.position + second.point.position);
+}
+
+bool EdgeFinder::isSteeper(const SurfacePatch& first, const SurfacePatch& second) const
+{
+  const Vec3f eye = towardEye(first, second);
+  return dot(first.plane, eye) < dot(second.plane, eye);
 }
 
 /// Of two pixels with an edge between them: which one's line it is.
@@ -161,11 +165,15 @@ bool EdgeFinder::isBefore(const Pixel& first, const Pixel& second) const
   const float ofFirst = absolute(distances.ofFirst), ofSecond = absolute(distances.ofSecond);
   const float off = larger(ofFirst, ofSecond);
   const bool isNoise = off <= larger(la.point.rounding, lb.point.rounding);
-  const bool areBent = (distances.ofFirst > 0.0f) == (distances.ofSecond > 0.0f);
-  if (ia != ib && (isNoise || (areBent && off <= tolerance(first, second)))) {
+  const bool isFirstBehind = !(distances.ofFirst > 0.0f),
+             isSecondBehind = !(distances.ofSecond > 0.0f);
+  if (ia != ib &&
+      (isNoise || (isFirstBehind && isSecondBehind && off <= tolerance(first, second)))) {
     // They touch: that which has lines, or was there first.
     return isOutlined(ia) != isOutlined(ib) ? isOutlined(ia) : ia < ib;
   }
+  // A rounded one's plane falls off behind what is behind it.
+  if (!isByDepth && !isFirstBehind && !isSecondBehind) return isSteeper(la, lb);
   if (isByDepth || ofFirst == ofSecond) {
     if (la.point.position.z != lb.point.position.z)
       return la.point.position.z > lb.point.position.z;
@@ -187,19 +195,22 @@ float EdgeFinder::depthAt(int x, int y) const
 
 EdgeFinder::Neighbour EdgeFinder::neighbourAt(const Pixel& pixel, int x, int y) const
 {
-  if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height) return {1.0f, true, false};
+  if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height)
+    return {1.0f, true, false, false};
   const Pixel other = pixelAt(x, y);
   if (other.instance == kNobody)
-    return {depthAt(x, y) < depthAt(pixel.x, pixel.y) ? 1.0f : 0.0f, true, false};
+    return {depthAt(x, y) < depthAt(pixel.x, pixel.y) ? 1.0f : 0.0f, true, false, false};
   const bool isSame = other.instance == pixel.instance;
+  if (!isSame && areCut(pixel, other)) return {1.0f, true, false, true};
   const bool isEdge = !isSame || isStep(pixel, other);
   // What convolutions find may be within a surface.
   const bool isOther = !isSame || (isByPlanes(pixel) ? isEdge : isPlaneStep(pixel, other));
-  if (!isEdge) return {shareShown(other), isOther, false};
-  return {isBefore(pixel, other) ? 0.0f : 1.0f, isOther, isSame};
+  if (!isEdge) return {shareShown(other), isOther, false, false};
+  return {isBefore(pixel, other) ? 0.0f : 1.0f, isOther, isSame, false};
 }
 
-void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) const
+void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges, CreaseRow& creases,
+                         StepGrid& steps) const
 {
   const auto at = [&](int dx, int dy) { return neighbourAt(pixel, pixel.x + dx, pixel.y + dy); };
   const auto share = [&](int dx, int dy) { return at(dx, dy).share; };
@@ -209,8 +220,10 @@ void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) co
   };
   steps.part(pixel.index, sideIf(toRight, StepGrid::kRight) | sideIf(toLeft, StepGrid::kLeft) |
                               sideIf(over, StepGrid::kAbove) | sideIf(under, StepGrid::kBelow));
+  if (toRight.isCut) addCut(pixel, pixel.x + 1, pixel.y, creases.toRight);
+  if (over.isCut) addCut(pixel, pixel.x, pixel.y + 1, creases.toAbove);
   const float right = toRight.share, left = toLeft.share, above = over.share, below = under.share;
-  const float own = shareShown(pixel);
+  const float own = shareUpToBorder(pixel);
   const bool isCut = own < 1.0f;
   if (!isCut && right > 0.0f && left > 0.0f && above > 0.0f && below > 0.0f) return;
 
@@ -250,15 +263,20 @@ void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) co
   edges.points.push_back(edge);
 }
 
-/// Where two planes that two pixels of a row or a column show meet.
-Vec2f EdgeFinder::creasePlace(const SurfacePatch& first, const SurfacePatch& second) const
+/// Where two planes that two pixels of a row or a column show meet: a part of the way between.
+float EdgeFinder::wayToMeeting(const SurfacePatch& first, const SurfacePatch& second) const
 {
   const Vec3f eye = towardEye(first, second);
   const PlaneDistances distances(first, second);
   // Along the gaze: how far the first plane is before the second at either pixel.
   const float atFirst = distances.ofFirst / dot(second.plane, eye);
   const float atSecond = -(distances.ofSecond / dot(first.plane, eye));
-  const float way = atFirst / (atFirst - atSecond);
+  return atFirst / (atFirst - atSecond);
+}
+
+Vec2f EdgeFinder::creasePlace(const SurfacePatch& first, const SurfacePatch& second) const
+{
+  const float way = wayToMeeting(first, second);
   const float t = way > 0.0f && way < 1.0f ? way : 0.5f;
   return {first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t};
 }
@@ -324,7 +342,10 @@ void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
                    pixel.x,
                    static_cast<std::uint32_t>(pixel.index),
                    {x, y},
-                   isStep(pixel, other)});
+                   {pixel.instance, pixel.instance},
+                   isStep(pixel, other),
+                   isCrease && !isIdBorder,
+                   0.0f});
 }
 
 void EdgeFinder::look(PixelPlace place, unsigned marks, EdgeRow& edges, CreaseRow& creases,
@@ -332,7 +353,8 @@ void EdgeFinder::look(PixelPlace place, unsigned marks, EdgeRow& edges, CreaseRo
 {
   const auto [x, y] = place;
   const Pixel pixel = pixelAt(x, y);
-  if ((marks & kMayHaveEdge) != 0) addEdge(pixel, edges, steps);
+  if (!isOutlined(pixel.instance)) return addCuts(pixel, creases);
+  if ((marks & kMayHaveEdge) != 0) addEdge(pixel, edges, creases, steps);
   if ((marks & kMayCreaseRight) != 0) addCrossing(pixel, x + 1, y, creases.toRight);
   if ((marks & kMayCreaseAbove) != 0) addCrossing(pixel, x, y + 1, creases.toAbove);
 }

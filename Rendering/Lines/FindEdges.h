@@ -6,6 +6,7 @@
 #include "Rendering/Lines/ImageOutline.h"
 #include "Rendering/Lines/StepGrid.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,20 +27,43 @@ struct EdgeRow {
   std::vector<EdgePoint> points;
 };
 
-/// Where a crease, or a border between ids, crosses the way from a pixel to its right neighbour or
-/// the one above; the latter may be a little aside of that.
+/// Of which instances a crossing or a segment lies between pixels: the same twice unless they cut
+/// each other there.
+struct TwoSides {
+  std::uint32_t first, second;
+
+  bool has(std::uint32_t instance) const { return first == instance || second == instance; }
+  bool isCut() const { return first != second; }
+  std::uint32_t beside(std::uint32_t instance) const { return first == instance ? second : first; }
+};
+/// In any order.
+inline bool areAlike(TwoSides a, TwoSides b)
+{
+  return (a.first == b.first && a.second == b.second) ||
+         (a.first == b.second && a.second == b.first);
+}
+
+/// Where a crease, a border between ids, or the line along which two instances cut each other
+/// crosses the way from a pixel to its right neighbour or the one above; borders of ids may be a
+/// little aside of that.
 struct CreaseCrossing {
   Vec2f place;
   int column;
   std::uint32_t index;   ///< of the pixel
   PixelPlace neighbour;  ///< that pixel
-  bool isStep;           ///< and no crease, unless the step is a speck
+  TwoSides sides;
+  bool isStep;  ///< and no crease, unless the step is a speck
+  bool isBent;  ///< by normals alone, and not by ids or a cut
+  float lean;   ///< of a cut: what share of its width the line is aside, to the instance that
+                ///< comes first in the scene; -0.5 to 0.5
 };
 struct CreaseSegment {
   Vec2f from, to;  ///< may be one place
   int column;
-  std::uint32_t index;        ///< of a pixel at its side
-  PixelPlace beside, beyond;  ///< that pixel, and one at its other side
+  TwoSides sides;
+  PixelPlace beside, beyond;  ///< pixels at its two sides
+  float leanFrom, leanTo;     ///< CreaseCrossing::lean at its ends
+  bool isWhole;               ///< a cut of which one side alone has a line, as wide as two halves
 };
 /// Crossings that leave a row of pixels, and segments between it and the row above.
 struct CreaseRow {
@@ -58,10 +82,18 @@ class EdgeFinder {
   /// them from others: of the pixels that are marked, from the first touched on.
   void find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRow& creases,
             StepGrid& steps) const;
-  /// Whether an edge between two pixels next to each other, which show instances, is the first's.
-  bool endsBefore(PixelPlace first, PixelPlace second) const
+  /// Whether there are instances without lines.
+  bool hasBare() const
   {
-    return isBefore(pixelAt(first.x, first.y), pixelAt(second.x, second.y));
+    return std::any_of(settings_.begin(), settings_.end(),
+                       [](const Settings& one) { return !one.isOutlined; });
+  }
+  /// Whether of two pixels next to each other, which show instances, the first's surface ends
+  /// before the second's, or cuts it.
+  bool endsAt(PixelPlace first, PixelPlace second) const
+  {
+    const Pixel one = pixelAt(first.x, first.y), other = pixelAt(second.x, second.y);
+    return areCut(one, other) || isBefore(one, other);
   }
 
  private:
@@ -85,6 +117,7 @@ class EdgeFinder {
     float share;   ///< that counts as the surface that the pixel shows: 1 for what lies before it
     bool isOther;  ///< another surface, or nobody
     bool isStep;   ///< of the pixel's instance, by its detector
+    bool isCut;    ///< by another instance
   };
   Neighbour neighbourAt(const Pixel& pixel, int x, int y) const;
   float depthAt(int x, int y) const;
@@ -96,6 +129,7 @@ class EdgeFinder {
   bool isPlaneStep(const Pixel& first, const Pixel& second) const;
   bool isGroove(const Pixel& first, const Pixel& second, const PlaneDistances& distances) const;
   Vec3f towardEye(const SurfacePatch& first, const SurfacePatch& second) const;
+  bool isSteeper(const SurfacePatch& first, const SurfacePatch& second) const;
   bool isConvolved(const Pixel& first, const Pixel& second) const;
   Vec2f sobel(const Pixel& pixel) const;
   float laplacian(const Pixel& pixel) const;
@@ -105,11 +139,21 @@ class EdgeFinder {
   float gradientOfNormals(const Pixel& pixel) const;
   Vec3f laplacianOfNormals(const Pixel& pixel) const;
   bool isBefore(const Pixel& first, const Pixel& second) const;
+  bool areCut(const Pixel& first, const Pixel& second) const;
+  bool goesOn(const Pixel& pixel, const Pixel& next, Vec3f eye) const;
+  bool isInstanceAt(int x, int y, std::uint32_t instance) const;
+  float fall(const Pixel& pixel, Vec3f eye) const;
+  float leanOfCut(const Pixel& first, const Pixel& second) const;
+  Vec2f cutPlace(const Pixel& first, const Pixel& second) const;
+  void addCuts(const Pixel& pixel, CreaseRow& creases) const;
+  void addCut(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;
   float tolerance(const Pixel& first, const Pixel& second) const;
   /// Of its samples, how many show its layer.
   float shareShown(const Pixel& pixel) const;
+  float shareUpToBorder(const Pixel& pixel) const;
   float toleranceOf(const Pixel& pixel) const;
-  void addEdge(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) const;
+  void addEdge(const Pixel& pixel, EdgeRow& edges, CreaseRow& creases, StepGrid& steps) const;
+  float wayToMeeting(const SurfacePatch& first, const SurfacePatch& second) const;
   Vec2f creasePlace(const SurfacePatch& first, const SurfacePatch& second) const;
   void addCrossing(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;
   void look(PixelPlace place, unsigned marks, EdgeRow& edges, CreaseRow& creases,

@@ -3,6 +3,7 @@
 #include "Rendering/Lines/ImageOutline.h"
 
 #include "Rendering/Base/Executor.h"
+#include "Rendering/Lines/DropShortCreases.h"
 #include "Rendering/Lines/DropSpecks.h"
 #include "Rendering/Lines/FindEdges.h"
 #include "Rendering/Lines/JoinCrossings.h"
@@ -141,14 +142,16 @@ void drawImageOutlines(const OutlinePass& pass)
                   crossings[static_cast<std::size_t>(y)], steps);
   });
   dropSpecks(layers, crossings, edges, steps);
+  dropShortCreases(layers, edges, crossings);
   forEachBand(pass, [&](int first, int end) {
     const int from = first == pass.touched.y0 ? std::max(first - 1, 0) : first;
     for (int y = from; y < std::min(end, layers.height - 1); ++y)
-      joinCrossings(layers, crossings[static_cast<std::size_t>(y)],
+      joinCrossings(pass, crossings[static_cast<std::size_t>(y)],
                     crossings[static_cast<std::size_t>(y) + 1],
                     creases[static_cast<std::size_t>(y)]);
   });
 
+  const bool mayHaveWhole = finder.hasBare();
   int reach = 0;
   for (const Instance& instance : pass.scene.instances)
     if (hasImageOutline(instance)) reach = std::max(reach, reachOf(instance.style));
@@ -162,7 +165,7 @@ void drawImageOutlines(const OutlinePass& pass)
         for (const CreaseSegment& crease : creases[static_cast<std::size_t>(row)].segments)
           near.add(crease.column, reach);
       }
-      LineMeasure measure(pass, {finder, edges, creases, steps}, y, reach);
+      LineMeasure measure(pass, {finder, edges, creases, steps, mayHaveWhole}, y, reach);
       near.forEach([&](int x) {
         const float share = measure.shareAt(x), behind = measure.shareBehindAt(x);
         if (behind > 0.0f) paintLineBehind(pass, x, y, behind);

@@ -6,8 +6,9 @@
 
 namespace limn {
 
-/// Joins the crossings on the sides of the squares between the centres of two rows' pixels.
-void joinCrossings(const SurfaceLayers& layers, const CreaseRow& row, const CreaseRow& above,
+/// Joins the crossings on the sides of the squares between the centres of two rows' pixels,
+/// those of the same instances.
+void joinCrossings(const OutlinePass& pass, const CreaseRow& row, const CreaseRow& above,
                    CreaseRow& result);
 
 }  // namespace limn

@@ -18,8 +18,12 @@ constexpr float kSameWay = 0.7f;
 constexpr float kSameBorder = 1.0f;
 /// At a corner no edge lies beside the pixel, and its distance is that to a point.
 constexpr float kBeside = 1.5f;
-/// How far outside of an edge a pixel's centre may lie that still shows the surface.
-constexpr float kOutside = 0.75f;
+/// A border goes on beyond one of its pixels if another's foot lies farther along it by more.
+constexpr float kFurther = 0.5f;
+/// How far outside of an edge a pixel's centre may lie that still shows the surface: of one that
+/// it cuts and of a whole one. What lies farther out is behind a step, beyond its end; steps by
+/// convolution may lie side by side.
+constexpr float kOutside = 0.75f, kOutsideOfWhole = 0.25f;
 
 float dot(Vec2f a, Vec2f b)
 {
@@ -46,6 +50,8 @@ struct LineMeasure::Pixel {
   Vec2f centre;
   const Style* style;
   float own;
+
+  bool isByPlanes() const { return style->imageOutline.detector == OutlineDetector::kPlane; }
 };
 
 LineMeasure::LineMeasure(const OutlinePass& pass, const FoundLines& lines, int y, int reach)
@@ -53,6 +59,7 @@ LineMeasure::LineMeasure(const OutlinePass& pass, const FoundLines& lines, int y
       layers_(pass.layers),
       finder_(lines.finder),
       steps_(lines.steps),
+      mayHaveWhole_(lines.mayHaveWhole),
       y_(y),
       reach_(reach)
 {
@@ -61,32 +68,37 @@ LineMeasure::LineMeasure(const OutlinePass& pass, const FoundLines& lines, int y
     const std::vector<EdgePoint>& points = lines.edges[static_cast<std::size_t>(row)].points;
     const std::vector<CreaseSegment>& segments =
         lines.creases[static_cast<std::size_t>(row)].segments;
-    if (points.empty() && segments.empty()) continue;
-    rows_.push_back({row, points.data(), points.data() + points.size(), segments.data(),
-                     segments.data() + segments.size()});
+    if (!points.empty()) edgeRows_.emplace_back(row, points);
+    if (!segments.empty()) creaseRows_.emplace_back(row, segments);
   }
 }
 
 void LineMeasure::moveTo(int x)
 {
-  for (NearRow& row : rows_) {
-    while (row.edge != row.lastEdge && row.edge->column < x - reach_)
-      ++row.edge;
-    while (row.segment != row.lastSegment && row.segment->column < x - reach_)
-      ++row.segment;
-  }
+  for (NearRow<EdgePoint>& row : edgeRows_)
+    row.moveTo(x - reach_);
+  for (NearRow<CreaseSegment>& row : creaseRows_)
+    row.moveTo(x - reach_);
 }
 
 void LineMeasure::findEdges(const Pixel& pixel)
 {
   near_.clear();
-  for (const NearRow& row : rows_) {
+  nearest_ = 0;
+  float squared = 0.0f;
+  const float outside = pixel.own < 1.0f || !pixel.isByPlanes() ? kOutside : kOutsideOfWhole;
+  const int first = pixel.x - pixel.reach, last = pixel.x + pixel.reach;
+  for (const NearRow<EdgePoint>& row : edgeRows_) {
     if (row.y < pixel.y - pixel.reach || row.y > pixel.y + pixel.reach) continue;
-    for (const EdgePoint* edge = row.edge;
-         edge != row.lastEdge && edge->column <= pixel.x + pixel.reach; ++edge) {
-      if (edge->column < pixel.x - pixel.reach || edge->instance != pixel.instance) continue;
+    for (const EdgePoint* edge = row.at; edge != row.end && edge->column <= last; ++edge) {
+      if (edge->column < first || edge->instance != pixel.instance) continue;
       const Vec2f way = edge->foot - pixel.centre;
-      if (dot(edge->normal, way) < -kOutside) continue;
+      if (dot(edge->normal, way) < -outside) continue;
+      const float other = dot(way, way);
+      if (near_.empty() || other < squared) {
+        nearest_ = near_.size();
+        squared = other;
+      }
       // Number by number: pairs that are put together to be copied whole wait for each other.
       NearEdge& near = near_.emplace_back();
       near.edge = edge;
@@ -98,27 +110,61 @@ void LineMeasure::findEdges(const Pixel& pixel)
   }
 }
 
-const LineMeasure::NearEdge* LineMeasure::nearestOf(const Pixel& pixel, bool isJoined) const
+const LineMeasure::NearEdge* LineMeasure::nearestJoined(const Pixel& pixel) const
 {
   const NearEdge* nearest = nullptr;
   float squared = 0.0f;
   for (const NearEdge& edge : near_) {
     const float other = dot(edge.way, edge.way);
     if (nearest != nullptr && !(other < squared)) continue;
-    if (isJoined && !steps_.areJoined(pixel.shown, edge.place)) continue;
+    if (!steps_.areJoined(pixel.shown, edge.place)) continue;
     nearest = &edge;
     squared = other;
   }
   return nearest;
 }
 
+/// Whether a step's line comes to its end beside a pixel, rather than that it goes round a corner.
+/// Not of convolutions, whose lines come to an end at every turn.
+bool LineMeasure::isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool areAlone) const
+{
+  if (!pixel.isByPlanes()) return false;
+  const Vec2f normal = nearest.edge->normal;
+  Vec2f towards = {-normal.y, normal.x};
+  if (dot(towards, nearest.way) > 0.0f) towards = towards * -1.0f;
+  for (const NearEdge& near : near_) {
+    const Vec2f apart = near.edge->foot - nearest.edge->foot;
+    const bool isSameWay = dot(near.edge->normal, normal) >= kSameWay;
+    const bool isFurther = dot(towards, apart) > kFurther;
+    const bool isOn = dot(apart, apart) <= kSpan * kSpan
+                          ? isFurther || !isSameWay
+                          : isFurther && isSameWay && absolute(dot(normal, apart)) <= kSameBorder;
+    if (isOn && dot(near.edge->normal, near.way) > 0.0f &&
+        (areAlone || steps_.areJoined(pixel.shown, near.place)))
+      return false;
+  }
+  return true;
+}
+
+/// Of a round end in the middle of the line.
+float LineMeasure::capShare(const Pixel& pixel, const NearEdge& nearest) const
+{
+  const float radius = pixel.style->outlineWidth * 0.5f;
+  const Vec2f way = nearest.way - nearest.edge->normal * radius;
+  const float distance = std::sqrt(dot(way, way));
+  const Vec2f across = distance > 0.0f ? way * (1.0f / distance) : nearest.edge->normal;
+  const float share = CutPixel(across).areaBelow(radius - distance);
+  return share < pixel.own ? share : pixel.own;
+}
+
 float LineMeasure::borderShare(const Pixel& pixel)
 {
   findEdges(pixel);
   // Where the nearest of all is joined there is no other surface's between.
-  const NearEdge* nearest = nearestOf(pixel, false);
-  const bool areAlone = nearest != nullptr && steps_.areJoined(pixel.shown, nearest->place);
-  if (!areAlone) nearest = nearestOf(pixel, true);
+  if (near_.empty()) return 0.0f;
+  const NearEdge* nearest = &near_[nearest_];
+  const bool areAlone = steps_.areJoined(pixel.shown, nearest->place);
+  if (!areAlone) nearest = nearestJoined(pixel);
   if (nearest == nullptr) return 0.0f;
   const Vec2f normal = nearest->edge->normal, way = nearest->way;
   if (normal == Vec2f{0.0f, 0.0f}) return nearest->edge->index == pixel.index ? pixel.own : 0.0f;
@@ -127,6 +173,7 @@ float LineMeasure::borderShare(const Pixel& pixel)
   float distance = std::sqrt(dot(way, way));
   Vec2f across = normal;
   if (along(way) > kBeside) {
+    if (isBeyondEnd(pixel, *nearest, areAlone)) return capShare(pixel, *nearest);
     across = way * (1.0f / distance);
   } else {
     float sum = 0.0f, weights = 0.0f;
@@ -146,17 +193,17 @@ float LineMeasure::borderShare(const Pixel& pixel)
   return share > 0.0f ? share : 0.0f;
 }
 
-std::optional<LineMeasure::NearCrease> LineMeasure::nearestCrease(const Pixel& pixel,
+std::optional<LineMeasure::NearCrease> LineMeasure::nearestCrease(const Pixel& pixel, bool isWhole,
                                                                   bool isJoined) const
 {
   std::optional<NearCrease> nearest;
   float squared = 0.0f;
-  for (const NearRow& row : rows_) {
+  for (const NearRow<CreaseSegment>& row : creaseRows_) {
     if (row.y < pixel.y - pixel.reach || row.y > pixel.y + pixel.reach) continue;
-    for (const CreaseSegment* segment = row.segment;
-         segment != row.lastSegment && segment->column <= pixel.x + pixel.reach; ++segment) {
-      if (segment->column < pixel.x - pixel.reach ||
-          layers_.instance[segment->index] != pixel.instance)
+    for (const CreaseSegment* segment = row.at;
+         segment != row.end && segment->column <= pixel.x + pixel.reach; ++segment) {
+      if (segment->column < pixel.x - pixel.reach || !segment->sides.has(pixel.instance) ||
+          segment->isWhole != isWhole)
         continue;
       const Vec2f side = segment->to - segment->from, from = segment->from - pixel.centre;
       const float length = dot(side, side);
@@ -166,7 +213,7 @@ std::optional<LineMeasure::NearCrease> LineMeasure::nearestCrease(const Pixel& p
       if (nearest && !(dot(way, way) < squared)) continue;
       if (isJoined && !areJoined(pixel, *segment)) continue;
       squared = dot(way, way);
-      nearest = {segment, way};
+      nearest = {segment, way, bounded};
     }
   }
   return nearest;
@@ -178,10 +225,11 @@ bool LineMeasure::areJoined(const Pixel& pixel, const CreaseSegment& segment) co
          steps_.areJoined(pixel.shown, segment.beyond);
 }
 
-float LineMeasure::creaseShare(const Pixel& pixel) const
+float LineMeasure::creaseShare(const Pixel& pixel, bool isWhole) const
 {
-  std::optional<NearCrease> nearest = nearestCrease(pixel, false);
-  if (nearest && !areJoined(pixel, *nearest->segment)) nearest = nearestCrease(pixel, true);
+  std::optional<NearCrease> nearest = nearestCrease(pixel, isWhole, false);
+  if (nearest && !areJoined(pixel, *nearest->segment))
+    nearest = nearestCrease(pixel, isWhole, true);
   if (!nearest) return 0.0f;
   const Vec2f way = nearest->way, direction = nearest->segment->to - nearest->segment->from;
   const float distance = std::sqrt(dot(way, way));
@@ -191,8 +239,20 @@ float LineMeasure::creaseShare(const Pixel& pixel) const
   else if (const float length = std::sqrt(dot(direction, direction)); length > 0.0f)
     across = {direction.y / length, -direction.x / length};
   const CutPixel cut(across);
-  const float half = pixel.style->outlineWidth * 0.5f;
-  return cut.areaBelow(half - distance) - cut.areaBelow(-half - distance);
+  const float width = pixel.style->outlineWidth;
+  if (isWhole) return cut.areaBelow(width - distance) - cut.areaBelow(-width - distance);
+  const float own = width * ownPart(pixel, *nearest);
+  return cut.areaBelow(own - distance) - cut.areaBelow(own - width - distance);
+}
+
+/// What part of a line's width lies on a pixel's side.
+float LineMeasure::ownPart(const Pixel& pixel, const NearCrease& nearest)
+{
+  const CreaseSegment& segment = *nearest.segment;
+  const float lean = segment.leanFrom + (segment.leanTo - segment.leanFrom) * nearest.along;
+  return pixel.instance <= segment.sides.first && pixel.instance <= segment.sides.second
+             ? 0.5f + lean
+             : 0.5f - lean;
 }
 
 LineMeasure::Pixel LineMeasure::pixelAt(int x, std::uint32_t instance) const
@@ -213,8 +273,12 @@ LineMeasure::Pixel LineMeasure::pixelAt(int x, std::uint32_t instance) const
 float LineMeasure::linesShare(const Pixel& pixel)
 {
   const float border = borderShare(pixel);
-  const float crease = creaseShare(pixel) * pixel.own;
-  return crease > border ? crease : border;
+  if (creaseRows_.empty()) return border;
+  const float crease = creaseShare(pixel, false) * pixel.own;
+  const float share = crease > border ? crease : border;
+  if (!mayHaveWhole_) return share;
+  const float cut = creaseShare(pixel, true) * pixel.own;
+  return cut > share ? cut : share;
 }
 
 float LineMeasure::withoutHalo(float share, PixelPlace place) const
@@ -252,7 +316,7 @@ std::optional<PixelPlace> LineMeasure::placeBehind(int x) const
         continue;
       const bool isJoined =
           wanted == layers_.instance[index] && steps_.areJoined({x, y_}, {column, row});
-      if (isJoined || !finder_.endsBefore({x, y_}, {column, row})) continue;
+      if (isJoined || !finder_.endsAt({x, y_}, {column, row})) continue;
       depth = layers_.depth[other];
       farthest = PixelPlace{column, row};
     }

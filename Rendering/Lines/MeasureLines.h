@@ -19,6 +19,7 @@ struct FoundLines {
   const std::vector<EdgeRow>& edges;
   const std::vector<CreaseRow>& creases;
   const StepGrid& steps;
+  bool mayHaveWhole;  ///< CreaseSegment::isWhole
 };
 
 /// How much of the pixels of a row lies in lines.
@@ -36,11 +37,21 @@ class LineMeasure {
 
  private:
   struct Pixel;
-  /// Rows near the pixel, and their first items that may be near, too.
+  /// A row near the pixel that has items, and those from the first on that may be near, too.
+  template <class Item>
   struct NearRow {
     int y;
-    const EdgePoint *edge, *lastEdge;
-    const CreaseSegment *segment, *lastSegment;
+    const Item *at, *end;
+
+    NearRow(int row, const std::vector<Item>& items)
+        : y(row), at(items.data()), end(items.data() + items.size())
+    {
+    }
+    void moveTo(int column)
+    {
+      while (at != end && at->column < column)
+        ++at;
+    }
   };
   struct NearEdge {
     const EdgePoint* edge;
@@ -50,7 +61,8 @@ class LineMeasure {
 
   struct NearCrease {
     const CreaseSegment* segment;
-    Vec2f way;  ///< likewise, to its nearest point
+    Vec2f way;    ///< likewise, to its nearest point
+    float along;  ///< where that lies, from 0 to 1
   };
 
   void moveTo(int x);
@@ -60,20 +72,26 @@ class LineMeasure {
   float withoutHalo(float share, PixelPlace place) const;
   /// The edges that may bound the pixel's surface, row by row, by columns.
   void findEdges(const Pixel& pixel);
-  /// Of near_; if `isJoined` of those that are joined with the pixel.
-  const NearEdge* nearestOf(const Pixel& pixel, bool isJoined) const;
-  std::optional<NearCrease> nearestCrease(const Pixel& pixel, bool isJoined) const;
+  /// Of near_, of those that are joined with the pixel.
+  const NearEdge* nearestJoined(const Pixel& pixel) const;
+  bool isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool areAlone) const;
+  float capShare(const Pixel& pixel, const NearEdge& nearest) const;
+  std::optional<NearCrease> nearestCrease(const Pixel& pixel, bool isWhole, bool isJoined) const;
   bool areJoined(const Pixel& pixel, const CreaseSegment& segment) const;
   float borderShare(const Pixel& pixel);
-  float creaseShare(const Pixel& pixel) const;
+  static float ownPart(const Pixel& pixel, const NearCrease& nearest);
+  float creaseShare(const Pixel& pixel, bool isWhole) const;
 
   const Scene& scene_;
   const SurfaceLayers& layers_;
   const EdgeFinder& finder_;
   const StepGrid& steps_;
+  bool mayHaveWhole_;
   int y_, reach_;
-  std::vector<NearRow> rows_;
+  std::vector<NearRow<EdgePoint>> edgeRows_;
+  std::vector<NearRow<CreaseSegment>> creaseRows_;
   std::vector<NearEdge> near_;
+  std::size_t nearest_ = 0;  ///< of near_, the first
 };
 
 }  // namespace limn

@@ -26,6 +26,8 @@ struct Edge {
 struct Segment {
   Vec2f a, b;
   Pixel owner, beyond;  ///< on its two sides
+  float leanA, leanB;   ///< how much more than half of the width is on the owner's side
+  bool isWhole;         ///< one of the two has no lines, and the other draws both halves
 };
 
 float dot2(Vec2f a, Vec2f b)
@@ -78,6 +80,7 @@ class Outlines {
       for (int x = 0; x < frame.width; ++x)
         findAt({x, y});
     dropSpecks();
+    dropShortCreases();
     for (int y = 0; y + 1 < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x)
         joinAt({x, y});
@@ -181,10 +184,13 @@ class Outlines {
   {
     const Vec3f way = layer(q).point.position - layer(p).point.position;
     if (!(dot(layer(p).plane, way) > 0) || !(dot(layer(q).plane, way * -1.0f) > 0)) return false;
-    const Vec3f eye = betweenAndEye(layer(p), layer(q));
-    if (dot(layer(p).plane, eye) < dot(layer(q).plane, eye))
-      return isFlat(p, {p.x + p.x - q.x, p.y + p.y - q.y});
+    if (isSteeper(p, q)) return isFlat(p, {p.x + p.x - q.x, p.y + p.y - q.y});
     return isFlat(q, {q.x + q.x - p.x, q.y + q.y - p.y});
+  }
+  bool isSteeper(Pixel p, Pixel q) const
+  {
+    const Vec3f eye = betweenAndEye(layer(p), layer(q));
+    return dot(layer(p).plane, eye) < dot(layer(q).plane, eye);
   }
   Vec3f betweenAndEye(const Layer& a, const Layer& b) const
   {
@@ -208,11 +214,14 @@ class Outlines {
     const float off = std::max(std::fabs(beforeA), std::fabs(beforeB));
     const bool areOneBeforeOther = (beforeA > 0) != (beforeB > 0);
     const float noise = std::max(a.point.rounding, b.point.rounding);
-    const bool touch = off <= noise || (off <= bothTolerances(p, q) && !areOneBeforeOther);
+    const bool isRidge = !areOneBeforeOther && !(beforeA > 0);
+    const bool touch = off <= noise || (off <= bothTolerances(p, q) && isRidge);
     if (!isSame && touch) {
       if (isOutlined(a.instance) != isOutlined(b.instance)) return isOutlined(a.instance);
       return a.instance < b.instance;
     }
+    // Each is before the other's plane, but they do not meet: it is the steeper that ends.
+    if (!byDepth && beforeA > 0 && beforeB > 0) return isSteeper(p, q);
     if (byDepth || std::fabs(beforeA) == std::fabs(beforeB)) {
       if (a.point.position.z == b.point.position.z) return index(p) < index(q);
       return a.point.position.z > b.point.position.z;
@@ -228,27 +237,97 @@ class Outlines {
       const auto depth = [&](Pixel at) { return frame_.depth[at.y * frame_.rowStride + at.x]; };
       return depth(q) < depth(p) ? 1.0f : 0.0f;
     }
+    if (isCut(p, q)) return 1;
     if (layer(q).instance == layer(p).instance && !isEdge(p, q)) return own(q);
     return ownsEdge(p, q) ? 0.0f : 1.0f;
   }
 
+  /// Whether two instances, one of which has lines, cut each other between p and q: there each is
+  /// before the other's plane, or nearly so, and the steeper goes on where the other hides it.
+  bool isCut(Pixel p, Pixel q) const
+  {
+    const Layer &a = layer(p), &b = layer(q);
+    if (a.instance == kNobody || b.instance == kNobody || a.instance == b.instance) return false;
+    if (!isOutlined(a.instance) && !isOutlined(b.instance)) return false;
+    const Vec3f way = b.point.position - a.point.position;
+    const float beforeA = dot(a.plane, way), beforeB = dot(b.plane, way * -1.0f);
+    const float most = std::max(beforeA, beforeB), least = std::min(beforeA, beforeB);
+    const float noise = std::max(a.point.rounding, b.point.rounding);
+    if (most <= noise || least < -(noise + most / 8)) return false;
+    const bool isFirst = isSteeper(p, q);
+    const Pixel steep = isFirst ? p : q, other = isFirst ? q : p;
+    // 12 pixels in depth for one aside.
+    const Vec3f eye = betweenAndEye(a, b);
+    const float cosine = dot(layer(steep).plane, eye);
+    if (cosine * cosine * 145 < dot(eye, eye)) return false;
+    const Pixel before = {steep.x + 4 * (steep.x - other.x), steep.y + 4 * (steep.y - other.y)};
+    if (!isInside(before) || layer(before).instance != layer(steep).instance)
+      return most <= bothTolerances(p, q);
+    return nearnessOfOutline(steep, eye) * 3 <= 1;
+  }
+  /// The square of the normal's cosine is 1 - (r/R)^2 on a sphere, r from the outline's middle. The
+  /// length of its gradient over it, upwards: one over how many pixels there are to the outline.
+  /// By what is seen four pixels away, as normals are found anywhere in their pixels.
+  float nearnessOfOutline(Pixel p, Vec3f eye) const
+  {
+    const auto squared = [&](Pixel q) {
+      const float cosine = dot(normalAt(p, q), eye);
+      return cosine * cosine;
+    };
+    const float here = squared(p);
+    const float x = std::max(squared({p.x - 4, p.y}), squared({p.x + 4, p.y})) - here;
+    const float y = std::max(squared({p.x, p.y - 4}), squared({p.x, p.y + 4})) - here;
+    const Vec2f gradient = {std::max(0.0f, x), std::max(0.0f, y)};
+    return std::sqrt(dot2(gradient, gradient)) / (here * 4);
+  }
+  /// How much more than half of the line's width is on the side of p, where q's instance cuts it.
+  float leanTowards(Pixel p, Pixel q) const
+  {
+    const Vec3f eye = betweenAndEye(layer(p), layer(q));
+    const float more = nearnessOfOutline(p, eye) - nearnessOfOutline(q, eye);
+    return more * 1.5f > -0.5f ? std::min(more * 1.5f, 0.5f) : -0.5f;
+  }
+  Vec2f cutPlace(Pixel p, Pixel q) const
+  {
+    const Vec2f a = layer(p).place, b = layer(q).place;
+    const float t = wayToMeeting(p, q);
+    return a + (b - a) * (t > 0 ? std::min(t, 1.0f) : 0.0f);
+  }
+  /// The share of p up to where its surface ends, and not where another instance cuts it.
+  float ownUpToEnd(Pixel p) const
+  {
+    const Layer& l = layer(p);
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Pixel q = {p.x + dx, p.y + dy};
+        if (l.covered > l.count && isInside(q) && layer(q).instance == l.other && isCut(p, q))
+          return static_cast<float>(l.covered) / static_cast<float>(scene_.samples);
+      }
+    return own(p);
+  }
+
   void findAt(Pixel p)
   {
+    for (const bool isRight : {true, false}) {
+      const Pixel q = isRight ? Pixel{p.x + 1, p.y} : Pixel{p.x, p.y + 1};
+      if (isInside(q) && isCut(p, q)) (isRight ? right_ : above_)[index(p)] = cutPlace(p, q);
+    }
     if (!isOutlined(layer(p).instance)) return;
     findEdge(p);
-    right_[index(p)] = crossing(p, {p.x + 1, p.y});
-    above_[index(p)] = crossing(p, {p.x, p.y + 1});
+    if (const auto place = crossing(p, {p.x + 1, p.y})) right_[index(p)] = place;
+    if (const auto place = crossing(p, {p.x, p.y + 1})) above_[index(p)] = place;
   }
 
   void findEdge(Pixel p)
   {
+    const float own = ownUpToEnd(p);
     float c[3][3];  // [row][column] about p
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx)
-        c[dy + 1][dx + 1] = dx == 0 && dy == 0 ? own(p) : coverage(p, {p.x + dx, p.y + dy});
+        c[dy + 1][dx + 1] = dx == 0 && dy == 0 ? own : coverage(p, {p.x + dx, p.y + dy});
     const bool isBare = std::any_of(std::begin(kBeside), std::end(kBeside),
                                     [&](Pixel d) { return c[d.y + 1][d.x + 1] == 0; });
-    if (own(p) == 1 && !isBare) return;
+    if (own == 1 && !isBare) return;
 
     const float root2 = 1.41421356f;
     const Vec2f in = {root2 * (c[1][2] - c[1][0]) + ((c[2][2] + c[0][2]) - (c[2][0] + c[0][0])),
@@ -258,8 +337,8 @@ class Outlines {
     if (length == 0) return;
     const Vec2f n = {-in.x / length, -in.y / length};
     float distance = 1;
-    if (own(p) < 1) {
-      distance = distanceOf(n, own(p));
+    if (own < 1) {
+      distance = distanceOf(n, own);
     } else {
       for (const Pixel d : kBeside) {
         const float half = 0.5f * (n.x * static_cast<float>(d.x) + n.y * static_cast<float>(d.y));
@@ -314,6 +393,78 @@ class Outlines {
         if (isSpeckTo(p, {x + 1, y})) right_[index(p)] = crossingPlace(p, {x + 1, y});
         if (isSpeckTo(p, {x, y + 1})) above_[index(p)] = crossingPlace(p, {x, y + 1});
       }
+  }
+
+  /// A way between a pixel and that to its right, or that above.
+  struct Way {
+    Pixel from;
+    bool isRight;
+    Pixel to() const { return isRight ? Pixel{from.x + 1, from.y} : Pixel{from.x, from.y + 1}; }
+  };
+  const std::optional<Vec2f>& placeOn(Way way) const
+  {
+    return (way.isRight ? right_ : above_)[index(way.from)];
+  }
+  bool hasCrease(Way way) const
+  {
+    const Pixel p = way.from, q = way.to();
+    return isInside(p) && isInside(q) && placeOn(way) && layer(p).instance == layer(q).instance;
+  }
+  /// The ways that cross another one's squares: of each the other three sides.
+  static std::vector<Way> besideOf(Way way)
+  {
+    std::vector<Way> beside;
+    const Pixel p = way.from;
+    for (const Pixel square : way.isRight ? std::vector<Pixel>{p, {p.x, p.y - 1}}
+                                          : std::vector<Pixel>{p, {p.x - 1, p.y}}) {
+      beside.push_back({square, true});
+      beside.push_back({square, false});
+      beside.push_back({{square.x + 1, square.y}, false});
+      beside.push_back({{square.x, square.y + 1}, true});
+    }
+    return beside;
+  }
+  /// Whether a crease there goes on as another line, or may do so where something else is shown.
+  bool endsAtLine(Pixel p) const
+  {
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) {
+        const Pixel q = {p.x + dx, p.y + dy};
+        if (!isInside(q) || layer(q).instance != layer(p).instance || edges_[index(q)]) return true;
+      }
+    return false;
+  }
+  bool hasIdBorder(Way way) const
+  {
+    return styleAt(way.from).imageOutline.ids && layer(way.from).id != layer(way.to()).id;
+  }
+
+  /// Takes away creases that are crossed by few ways, none of which is at another line.
+  void dropShortCreases()
+  {
+    std::vector<bool> isSeen[2] = {std::vector<bool>(edges_.size()),
+                                   std::vector<bool>(edges_.size())};
+    const auto see = [&](Way way, std::vector<Way>& found) {
+      if (!hasCrease(way) || isSeen[way.isRight][index(way.from)]) return;
+      if (!found.empty() && layer(way.from).instance != layer(found[0].from).instance) return;
+      isSeen[way.isRight][index(way.from)] = true;
+      found.push_back(way);
+    };
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        for (const bool isRight : {true, false}) {
+          std::vector<Way> found;
+          see({{x, y}, isRight}, found);
+          for (std::size_t i = 0; i < found.size(); ++i)
+            for (const Way& way : besideOf(found[i]))
+              see(way, found);
+          const bool isKept = std::any_of(found.begin(), found.end(), [&](const Way& way) {
+            return hasIdBorder(way) || endsAtLine(way.from) || endsAtLine(way.to());
+          });
+          if (isKept || found.size() >= ImageOutline::kShortestCrease) continue;
+          for (const Way& way : found)
+            (way.isRight ? right_ : above_)[index(way.from)].reset();
+        }
   }
 
   bool isStepTo(Pixel p, Pixel q) const
@@ -425,48 +576,66 @@ class Outlines {
     return centre(p) + Vec2f{d.x == 1 ? offset.x : offset.y, d.x == 1 ? offset.y : offset.x};
   }
 
-  /// Where the planes that p and q show meet, between the two.
-  Vec2f creasePlace(Pixel p, Pixel q) const
+  /// Where the planes that p and q show meet, as a part of the way between the two.
+  float wayToMeeting(Pixel p, Pixel q) const
   {
     const Layer &a = layer(p), &b = layer(q);
     const Vec3f eye = betweenAndEye(a, b);
     const Vec3f way = b.point.position - a.point.position;
     const float gapAtP = dot(b.plane, way * -1.0f) / dot(b.plane, eye);
     const float gapAtQ = -(dot(a.plane, way) / dot(a.plane, eye));
-    float t = gapAtP / (gapAtP - gapAtQ);
+    return gapAtP / (gapAtP - gapAtQ);
+  }
+  Vec2f creasePlace(Pixel p, Pixel q) const
+  {
+    float t = wayToMeeting(p, q);
     if (!(t > 0 && t < 1)) t = 0.5f;
-    return a.place + (b.place - a.place) * t;
+    return layer(p).place + (layer(q).place - layer(p).place) * t;
   }
 
   /// Of the square between the centres of p, the pixels to its right and above, and the fourth.
   void joinAt(Pixel p)
   {
     const Pixel east = {p.x + 1, p.y}, north = {p.x, p.y + 1};
-    std::vector<Vec2f> places;
-    std::vector<Pixel> owners, beyond;
-    const auto take = [&](const std::optional<Vec2f>& place, Pixel owner, Pixel next) {
-      if (!place || (!owners.empty() && layer(owner).instance != layer(owners[0]).instance)) return;
-      places.push_back(*place);
-      owners.push_back(owner);
-      beyond.push_back(next);
+    std::vector<Way> sides = {{p, true}, {p, false}};
+    if (isInside(east)) sides.push_back({east, false});
+    sides.push_back({north, true});
+    sides.erase(std::remove_if(sides.begin(), sides.end(), [&](Way way) { return !placeOn(way); }),
+                sides.end());
+    // Those between the same instances, and then the others.
+    while (!sides.empty()) {
+      const auto instances = [&](Way way) {
+        return std::minmax({layer(way.from).instance, layer(way.to()).instance});
+      };
+      const auto isOther = [&, first = sides[0]](Way way) {
+        return instances(way) != instances(first);
+      };
+      const auto others =
+          std::stable_partition(sides.begin(), sides.end(), [&](Way way) { return !isOther(way); });
+      joinWays({sides.begin(), others}, segments_[index(p)]);
+      sides.erase(sides.begin(), others);
+    }
+  }
+  void joinWays(const std::vector<Way>& ways, std::vector<Segment>& segments) const
+  {
+    const Pixel owner = ways[0].from, beyond = ways[0].to();
+    const bool isWhole = !isOutlined(layer(owner).instance) || !isOutlined(layer(beyond).instance);
+    const auto lean = [&](Way way) {
+      if (layer(owner).instance == layer(beyond).instance) return 0.0f;
+      const bool isOwners = layer(way.from).instance == layer(owner).instance;
+      return isOwners ? leanTowards(way.from, way.to()) : leanTowards(way.to(), way.from);
     };
-    const Pixel corner = {p.x + 1, p.y + 1};
-    take(right_[index(p)], p, east);
-    take(above_[index(p)], p, north);
-    if (isInside(east)) take(above_[index(east)], east, corner);
-    take(right_[index(north)], north, corner);
-    if (places.empty()) return;
-    std::vector<Segment>& segments = segments_[index(p)];
-    if (places.size() <= 2) {
-      segments.push_back({places.front(), places.back(), owners[0], beyond[0]});
+    if (ways.size() <= 2) {
+      segments.push_back({*placeOn(ways.front()), *placeOn(ways.back()), owner, beyond,
+                          lean(ways.front()), lean(ways.back()), isWhole});
       return;
     }
     Vec2f middle = {0, 0};
-    for (const Vec2f place : places)
-      middle = middle + place;
-    middle = middle * (1.0f / static_cast<float>(places.size()));
-    for (const Vec2f place : places)
-      segments.push_back({middle, place, owners[0], beyond[0]});
+    for (const Way way : ways)
+      middle = middle + *placeOn(way);
+    middle = middle * (1.0f / static_cast<float>(ways.size()));
+    for (const Way way : ways)
+      segments.push_back({middle, *placeOn(way), owner, beyond, lean(way), lean(way), isWhole});
   }
 
   /// What lines are measured for: a share of a pixel, and a pixel that shows the surface there.
@@ -524,7 +693,8 @@ class Outlines {
   }
 
   /// Of the samples that show other surfaces than the pixel's layer: as much as if that filled the
-  /// pixel which a pixel around shows, the farthest of those that lie behind the layer's end.
+  /// pixel which a pixel around shows, the farthest of those that lie behind the layer's end, or
+  /// that cut it.
   float shareOfRest(Pixel p) const
   {
     const Layer& l = layer(p);
@@ -534,7 +704,8 @@ class Outlines {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const Pixel q = {p.x + dx, p.y + dy};
-        if (isInside(q) && layer(q).instance == l.other && !showSame(p, q) && ownsEdge(p, q))
+        if (isInside(q) && layer(q).instance == l.other && !showSame(p, q) &&
+            (isCut(p, q) || ownsEdge(p, q)))
           behind.push_back(q);
       }
     // In specks it is the same surface.
@@ -548,17 +719,22 @@ class Outlines {
 
   float shareOfLines(const Target& target) const
   {
-    return std::max(shareOfBorder(target), shareOfCrease(target) * target.own);
+    const float middle = std::max(shareOfCrease(target, false), shareOfCrease(target, true));
+    return std::max(shareOfBorder(target), middle * target.own);
   }
 
   float shareOfBorder(const Target& target) const
   {
     const Pixel p = target.pixel;
+    const bool isByPlanes = styleAt(target.shown).imageOutline.detector == OutlineDetector::kPlane;
     std::vector<Pixel> found, joined;
     around(target, [&](Pixel q) {
       const std::optional<Edge>& edge = edges_[index(q)];
       if (!edge || layer(q).instance != layer(target.shown).instance) return;
-      if (dot2(edge->normal, edge->foot - centre(p)) < -0.75f) return;
+      // Farther out, and if no border cuts the pixel a little, it is behind a step.
+      if (dot2(edge->normal, edge->foot - centre(p)) <
+          (target.own < 1 || !isByPlanes ? -0.75f : -0.25f))
+        return;
       found.push_back(q);
       if (showSame(target.shown, q)) joined.push_back(q);
     });
@@ -578,6 +754,23 @@ class Outlines {
     float distance = std::sqrt(dot2(to, to));
     Vec2f across = n;
     if (along(to) > 1.5f) {
+      // It may end there, where no other pixel's border goes on: in half a disc.
+      const Vec2f t = {-n.y, n.x};
+      const float side = dot2(t, to) > 0 ? -1.0f : 1.0f;
+      const bool goesOn = std::any_of(same.begin(), same.end(), [&](Pixel q) {
+        const Vec2f apart = edges_[index(q)]->foot - edges_[index(nearest)]->foot;
+        const Vec2f other = edges_[index(q)]->normal;
+        if (dot2(other, way(q)) <= 0) return false;
+        const bool isFurther = side * dot2(t, apart) > 0.5f, turns = dot2(other, n) < 0.7f;
+        if (dot2(apart, apart) <= 9) return isFurther || turns;
+        return isFurther && !turns && std::fabs(dot2(n, apart)) <= 1;
+      });
+      if (!goesOn && isByPlanes) {
+        const float radius = widthAt(target) * 0.5f;
+        const Vec2f toEnd = to - n * radius;
+        const float far = std::sqrt(dot2(toEnd, toEnd));
+        return std::min(target.own, areaBelow(far > 0 ? toEnd * (1.0f / far) : n, radius - far));
+      }
       across = to * (1.0f / distance);
     } else {
       float sum = 0, weights = 0;
@@ -595,22 +788,29 @@ class Outlines {
     return std::max(0.0f, target.own - areaBelow(across, distance - widthAt(target)));
   }
 
-  float shareOfCrease(const Target& target) const
+  /// `isWhole`: of the cuts that one side draws alone, else of those and creases in their middle.
+  float shareOfCrease(const Target& target, bool isWhole) const
   {
     const Pixel p = target.pixel;
     std::optional<Vec2f> nearest;
     Vec2f side = {0, 0};
+    float part = 0.5f;
     around(target, [&](Pixel q) {
       for (const Segment& segment : segments_[index(q)]) {
+        if (segment.isWhole != isWhole) continue;
         if (!showSame(target.shown, segment.owner) && !showSame(target.shown, segment.beyond))
           continue;
         const Vec2f ab = segment.b - segment.a, a = segment.a - centre(p);
         const float length = dot2(ab, ab);
         const float t = length > 0 ? -(dot2(a, ab) / length) : 0.0f;
-        const Vec2f to = a + ab * std::clamp(t, 0.0f, 1.0f);
+        const float along = std::clamp(t, 0.0f, 1.0f);
+        const Vec2f to = a + ab * along;
         if (nearest && dot2(to, to) >= dot2(*nearest, *nearest)) continue;
         nearest = to;
         side = ab;
+        const float lean = segment.leanA + (segment.leanB - segment.leanA) * along;
+        const bool isOwners = layer(segment.owner).instance == layer(target.shown).instance;
+        part = isOwners ? 0.5f + lean : 0.5f - lean;
       }
     });
     if (!nearest) return 0;
@@ -621,8 +821,9 @@ class Outlines {
       n = *nearest * (1.0f / distance);
     else if (length > 0)
       n = {side.y / length, -side.x / length};
-    const float half = widthAt(target) * 0.5f;
-    return areaBelow(n, half - distance) - areaBelow(n, -half - distance);
+    const float width = widthAt(target), near = isWhole ? width : width * part;
+    const float far = isWhole ? -width : near - width;
+    return areaBelow(n, near - distance) - areaBelow(n, far - distance);
   }
 
   void paintLayer(Pixel p, float share) const

@@ -166,6 +166,38 @@ TEST_P(WideImageOutlines, RunUpToTheBorderOfWhatLiesBeforeThem)
   }
 }
 
+TEST_P(WideImageOutlines, EndRoundlyWhereAStepFadesOut)
+{
+  // A sheet with a tear, from which on the lower part rises: by more than the tolerance of 3 pixels
+  // from x = 23 on.
+  constexpr double kRise = 50;
+  const OwnedMesh all = together({sheet({-5, 32, 0}, {75, 0, 0}, {0, 50, 0}),
+                                  sheet({-5, -5, 0}, {25, 0, 0}, {0, 37, 0}),
+                                  sheet({20, -5, 0}, {kRise, 0, kRise}, {0, 37, 0})});
+  for (const int samples : {1, 4})
+    for (const float width : {4.0f, 8.0f}) {
+      Stage stage = deepStage(64, samples);
+      stage.view.eye.z = 80;
+      stage.view.far = 120;
+      stage.instances = {outlined(all, width)};
+      stage.instances[0].style.imageOutline.creaseDegrees = 180;
+      const Picture picture = drawOverWhite(stage, GetParam());
+      const double radius = width / 2;
+      for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 60; ++x) {
+          const double px = x + 0.5, py = y + 0.5;
+          const bool isBeyond = py > 32.5 || py < 32 - width - 1 ||
+                                std::hypot(std::min(px - 23, 0.0), py - (32 - radius)) > radius + 2;
+          if (isBeyond) {
+            ASSERT_EQ(at(picture, x, y).g, 255) << x << ", " << y << " of " << samples;
+          }
+          if (px > 25 && py < 31.5 && py > 32 - width + 0.5) {
+            ASSERT_EQ(at(picture, x, y).g, 0) << x << ", " << y << " of " << samples;
+          }
+        }
+    }
+}
+
 TEST_P(WideImageOutlines, StayInTheMiddleOfCreasesThatAreStepsHereAndThere)
 {
   // A table with a slope beside it; next to the table's border the slope has a hole of two pixels,

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Lines from the finished picture where actors cut each other.
+#include "Testing/Unit/OutlinedScene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace limn::testing {
+namespace {
+
+class CutOutlines : public BothBackends {};
+LIMN_ON_BOTH_BACKENDS(CutOutlines);
+
+/// Two spheres that cut each other, seen in parallel along z, `kScale` pixels a unit.
+struct CutSpheres {
+  static constexpr int kSide = 192;
+  static constexpr double kScale = 76, kRadius = 0.8;
+  Vec3d centre[2] = {{-0.5, 0.05, 0}, {0.5, 0, 0.25}};
+
+  Instance at(int i, float width) const
+  {
+    Instance instance = outlined(fineSphere(), width, static_cast<std::uint32_t>(i) + 1);
+    instance.style.normals = NormalSource::kVertex;
+    const double place[] = {centre[i].x, centre[i].y, centre[i].z};
+    for (int row = 0; row < 3; ++row) {
+      instance.modelToWorld.m[row][row] = kRadius;
+      instance.modelToWorld.m[row][3] = place[row];
+    }
+    return instance;
+  }
+  /// Where a pixel is seen from a sphere's middle, in pixels.
+  Vec3d from(int i, double x, double y) const
+  {
+    const Vec3d c = centre[i];
+    return {x - kSide / 2.0 - c.x * kScale, y - kSide / 2.0 - c.y * kScale, 0};
+  }
+  /// Which sphere is before the other in a pixel of both.
+  int shownAt(double x, double y) const
+  {
+    double depth[2];
+    for (const int i : {0, 1}) {
+      const Vec3d at = from(i, x, y);
+      const double r = kRadius * kScale;
+      const double squared = r * r - at.x * at.x - at.y * at.y;
+      depth[i] = squared > 0 ? centre[i].z * kScale + std::sqrt(squared) : -1000;
+    }
+    return depth[0] > depth[1] ? 0 : 1;
+  }
+  /// What of the line's width is on the side of the one shown, at a place of the cut: half of it,
+  /// and what the distances from the spheres' outlines add, by the slope of 1 - (r / R)^2 towards
+  /// the middle.
+  double partAt(int shown, Vec3d place) const
+  {
+    double near[2];
+    for (const int i : {0, 1}) {
+      const Vec3d at = from(i, place.x, place.y);
+      const double r = kRadius * kScale;
+      const double dx = std::max(8 * std::fabs(at.x) - 16, 0.0) / 4,
+                   dy = std::max(8 * std::fabs(at.y) - 16, 0.0) / 4;
+      near[i] = std::hypot(dx, dy) / (r * r - at.x * at.x - at.y * at.y);
+    }
+    return 0.5 + std::clamp(1.5 * (near[shown] - near[1 - shown]), -0.5, 0.5);
+  }
+  Stage stage(int samples) const
+  {
+    Stage stage;
+    stage.width = stage.height = kSide;
+    stage.resolve = Resolve::kLinear;
+    stage.samples = samples;
+    stage.view = parallelView({0, 0, 6}, {0, 0, 0}, kSide / kScale / 2, {1, 12});
+    return stage;
+  }
+};
+
+/// A part of the circle along which they cut, as it is seen: that where both look at the eye.
+class Cut {
+ public:
+  explicit Cut(const CutSpheres& spheres)
+  {
+    const Vec3d way = spheres.centre[1] - spheres.centre[0];
+    const double half = std::sqrt(dot(way, way)) / 2;
+    const double radius = std::sqrt(spheres.kRadius * spheres.kRadius - half * half);
+    const Vec3d axis = way * (0.5 / half), middle = (spheres.centre[0] + spheres.centre[1]) * 0.5;
+    Vec3d u = Vec3d{0, 0, 1} - axis * axis.z;
+    u = u * (1 / std::sqrt(dot(u, u)));
+    const Vec3d v = {axis.y * u.z - axis.z * u.y, axis.z * u.x - axis.x * u.z,
+                     axis.x * u.y - axis.y * u.x};
+    constexpr int kSteps = 600;
+    for (int i = 0; i <= kSteps; ++i) {
+      const double angle = (i - kSteps / 2) * (kPi / kSteps);
+      const Vec3d at = middle + (u * std::cos(angle) + v * std::sin(angle)) * radius;
+      const auto faces = [&](Vec3d centre) { return (at - centre).z / spheres.kRadius; };
+      if (faces(spheres.centre[0]) < 0.4 || faces(spheres.centre[1]) < 0.4) continue;
+      points_.push_back({at.x * spheres.kScale + spheres.kSide / 2.0,
+                         at.y * spheres.kScale + spheres.kSide / 2.0, 0});
+    }
+  }
+  double length() const
+  {
+    double sum = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      sum += std::hypot(points_[i].x - points_[i - 1].x, points_[i].y - points_[i - 1].y);
+    return sum;
+  }
+  struct Place {
+    double distance;  ///< > 0 to the right of the way along it
+    bool isBeside;    ///< and not beyond its ends
+    Vec3d nearest;    ///< on it
+  };
+  Place placeOf(double x, double y) const
+  {
+    const auto squared = [&](Vec3d p) { return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y); };
+    const auto nearest = std::min_element(
+        points_.begin(), points_.end(), [&](Vec3d a, Vec3d b) { return squared(a) < squared(b); });
+    const bool isBeside = nearest != points_.begin() && nearest + 1 != points_.end();
+    const Vec3d along = *std::min(nearest + 1, points_.end() - 1) -
+                        *(nearest == points_.begin() ? nearest : nearest - 1);
+    const double side = along.y * (x - nearest->x) - along.x * (y - nearest->y);
+    const double distance = std::sqrt(squared(*nearest));
+    return {side > 0 ? distance : -distance, isBeside, *nearest};
+  }
+
+ private:
+  std::vector<Vec3d> points_;
+};
+
+TEST_P(CutOutlines, RunAlongTheCutOfTwoSpheres)
+{
+  const CutSpheres spheres;
+  const Cut cut(spheres);
+  ASSERT_GT(cut.length(), 30);
+  const bool isFast = GetParam() == Backend::kPipeline;
+  for (const int samples : isFast ? std::vector<int>{1, 4, 8} : std::vector<int>{4})
+    for (const float width : isFast ? std::vector<float>{2, 5, 9} : std::vector<float>{5}) {
+      Stage stage = spheres.stage(samples);
+      stage.instances = {spheres.at(0, width), spheres.at(1, width)};
+      const Picture picture = drawOverWhite(stage, GetParam());
+      double sum = 0;
+      for (int y = 0; y < stage.height; ++y)
+        for (int x = 0; x < stage.width; ++x) {
+          const Cut::Place place = cut.placeOf(x + 0.5, y + 0.5);
+          if (!(std::fabs(place.distance) < width + 4)) continue;
+          constexpr int kFine = 4;  // of pixels that are partly beyond the ends
+          for (int i = 0; i < kFine * kFine; ++i) {
+            const double fineX = x + (i % kFine + 0.5) / kFine,
+                         fineY = y + (i / kFine + 0.5) / kFine;
+            if (cut.placeOf(fineX, fineY).isBeside)
+              sum += darknessOf(at(picture, x, y)) / (kFine * kFine);
+          }
+          const double off =
+              std::fabs(place.distance) -
+              width * spheres.partAt(spheres.shownAt(x + 0.5, y + 0.5), place.nearest);
+          const double error = 0.8 + 0.06 * width;
+          if (!place.isBeside) continue;
+          if (off < -error) {
+            ASSERT_LE(at(picture, x, y).g, 8) << x << ", " << y << " of " << samples;
+          } else if (off > error) {
+            ASSERT_EQ(at(picture, x, y).g, 255) << x << ", " << y << " of " << samples;
+          }
+        }
+      EXPECT_NEAR(sum / (cut.length() * width), 1, 0.02)
+          << "width " << width << ", " << samples << " samples";
+    }
+}
+
+TEST_P(CutOutlines, LieOnTheSideOfTheOneThatHasLines)
+{
+  const CutSpheres spheres;
+  const Cut cut(spheres);
+  const float width = 4;
+  for (const int samples : {1, 4})
+    for (const int lined : {0, 1}) {
+      Stage stage = spheres.stage(samples);
+      stage.instances = {spheres.at(0, width), spheres.at(1, width)};
+      stage.instances[static_cast<std::size_t>(1 - lined)].style.imageOutline = {};
+      const Picture picture = drawOverWhite(stage, GetParam());
+      double sum[2] = {0, 0};
+      for (int y = 0; y < stage.height; ++y)
+        for (int x = 0; x < stage.width; ++x) {
+          const Cut::Place place = cut.placeOf(x + 0.5, y + 0.5);
+          if (!place.isBeside || std::fabs(place.distance) > width + 3) continue;
+          sum[place.distance > 0] += darknessOf(at(picture, x, y));
+        }
+      const double inside = std::max(sum[0], sum[1]), outside = std::min(sum[0], sum[1]);
+      // The one side of a bent line is longer than the other.
+      EXPECT_NEAR((inside + outside) / (cut.length() * width), 1, 0.06)
+          << lined << " of " << samples;
+      EXPECT_LT(outside, 0.3 * cut.length()) << lined << " of " << samples;
+    }
+}
+
+// As DrawALineWhereASteepWallStandsOnAFloor, of two actors.
+TEST_P(CutOutlines, RunWhereASteepWallStandsOnAFloor)
+{
+  for (const int samples : {1, 8})
+    for (const double rise : {1.0, 4.0, 10.0})
+      for (const double degrees : {0.0, 9.0, 40.0}) {
+        const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
+        const Vec3d middle = {32.37, 31.81, 10}, along = {80 * c, 80 * s, 0};
+        const Vec3d up = {-8 * s, 8 * c, 8 * rise};
+        // The floor goes on below the wall, and the wall below the floor.
+        const OwnedMesh wall = sheet(middle - along - up, along * 2.0, up * 2.0),
+                        floor = sheet({-40, -40, 10}, {150, 0, 0}, {0, 150, 0});
+        Stage stage = flatStage(64, samples);
+        stage.view.eye.z = 120;
+        stage.view.near = 1;
+        stage.view.far = 200;
+        stage.instances = {outlined(wall, 3, 1), outlined(floor, 3, 2)};
+        const Picture picture = drawOverWhite(stage, GetParam());
+        double sum = 0;
+        for (int y = 12; y < 52; ++y)
+          for (int x = 12; x < 52; ++x) {
+            const double off = std::fabs((x + 0.5 - middle.x) * -s + (y + 0.5 - middle.y) * c);
+            if (off < 1.5 - 0.75) {
+              EXPECT_EQ(at(picture, x, y).g, 0) << x << ", " << y << " at " << degrees;
+            }
+            if (off < 3) sum += darknessOf(at(picture, x, y));
+          }
+        EXPECT_NEAR(sum, 3 * 40 / c, 3 * 40 / c * 0.02)
+            << degrees << " with " << samples << ", rise " << rise;
+      }
+}
+
+}  // namespace
+}  // namespace limn::testing
