@@ -54,7 +54,7 @@ struct ImageOutline {
   /// here and there it is a step; where they do not, those that touch a crease are kept.
   static constexpr unsigned kSmallestStep = 8;
   /// Creases that cross fewer ways from a pixel to the next, one after the other, are left out; but
-  /// for those that touch a border or a step's line.
+  /// for those that touch a border, also between ids, a step's line or the picture's edge.
   static constexpr unsigned kShortestCrease = 8;
   /// Two instances cut each other where each lies before the other's plane. The plane of a rounded
   /// one runs a little before it: of how far the one is before the other's that may be behind by

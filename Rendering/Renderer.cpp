@@ -40,10 +40,10 @@ namespace {
 /// What a thread needs for one tile; kept from frame to frame, so that no tile allocates.
 struct TileMemory {
   alignas(64) Rgba8 runColor[kTilePixels];  ///< of tiles that are drawn in the frame itself
-  TileColors colors;
   FragmentShader shader;
   VisibilityTile visible;
   std::vector<TileCluster> ordered;
+  TileColors colors;
   TileFrame fresh;
   FragmentList fragments;
 };
@@ -172,7 +172,6 @@ struct PassInputs {
   const LayerTarget* surfaces;
   Veil* veil;
   Panes* panes;
-  TileRectangle lines;  ///< pixels outside of which there are none
 };
 
 /// Draws pixels of the viewport, which lie at `place` in the frame.
@@ -182,7 +181,9 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
 {
   const LayerTarget* const surfaces = passes.surfaces;
   const bool isVeiled = passes.veil != nullptr;
-  const bool hasPanes = passes.panes != nullptr && meet(pixels, passes.lines);
+  TilePanes* const panes = passes.panes != nullptr && passes.panes->tile(tile).isReached()
+                               ? &passes.panes->tile(tile)
+                               : nullptr;
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
   const std::size_t opaque = orderClusters(scene, bins, tile, memory.ordered);
@@ -209,8 +210,7 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
     return stats;
   }
   writeSurfaces(nullptr);
-  TranslucentLayers layers(clusters, opaque, pixels, hasPanes ? &passes.panes->tile(tile) : nullptr,
-                           memory);
+  TranslucentLayers layers(clusters, opaque, pixels, panes, memory);
   stats.truncatedPixels = layers.composite(frame, place, isVeiled);
   resolve(clusters, place, frame, memory);
   if (isVeiled)
@@ -302,9 +302,8 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   TileBins bins;
   if (Status status = binClusters(placed, options.threads, bins); !status.ok()) return status;
   const bool drawsStrokes = hasLines(scene);
-  TileRectangle lines = {0, 0, 0, 0};
-  if (drawsStrokes) lines = boundStrokes(scene, frame.width, frame.height, options.threads);
-  addTouched(lines, bins);
+  if (drawsStrokes)
+    addTouched(boundStrokes(scene, frame.width, frame.height, options.threads), bins);
   for (std::size_t tile = 0; tile < bins.grid.count(); ++tile)
     if (bins.clustersOf(tile).size() > TileOwner::kMaxClustersPerTile)
       return {Error::kTooManyPrimitives,
@@ -317,9 +316,9 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   std::optional<Veil> veil;
   if (Veil::isNeeded(scene, frame)) veil.emplace(bins.grid.count());
   std::optional<Panes> panes;
-  if (Panes::areNeeded(scene, frame)) panes.emplace(bins.grid.count());
+  if (Panes::areNeeded(scene, frame)) panes.emplace(scene, bins.grid, options.threads);
   const PassInputs passes = {layers ? &*layers : nullptr, veil ? &*veil : nullptr,
-                             panes ? &*panes : nullptr, lines};
+                             panes ? &*panes : nullptr};
   std::atomic<std::size_t> occluded = 0, truncated = 0;
   parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
     const TileStats drawn = drawTile(placed, bins, tile, frame, passes);

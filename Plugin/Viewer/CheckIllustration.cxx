@@ -108,6 +108,11 @@ void checkOutline(const MaterialSettings& material)
                   { "--outline-opacity", material.outlineOpacity.has_value() } },
       "--outline=normal, hull or image");
   }
+  if (material.outline == Outline::Image && material.opacity < 1)
+  {
+    throw UserError("--outline=image needs an opaque surface; leave out --opacity, or take "
+                    "--outline=hull or --lines=contour");
+  }
   if (material.outline != Outline::Image)
   {
     refuseGiven({ { "--outline-detector", material.outlineDetector.has_value() },

@@ -117,6 +117,18 @@ void checkCues(const SceneSettings& scene)
       throw UserError(std::string(one.option) + " needs " + one.needed);
     }
   }
+  if (scene.material.opacity < 1)
+  {
+    const std::pair<const char*, bool> given[] = { { "--edl", cues.eyeDome.has_value() },
+      { "--depth-unsharp", cues.unsharp.has_value() }, { "--halo", cues.halo.has_value() } };
+    for (const auto& [option, isGiven] : given)
+    {
+      if (isGiven)
+      {
+        throw UserError(std::string(option) + " needs an opaque surface; leave out --opacity");
+      }
+    }
+  }
   if (cues.halo)
   {
     checkHaloWidth(*cues.halo, scene.pixelsPerInch.value_or(72));

@@ -86,8 +86,10 @@ std::optional<double> finiteNumber(const std::string& text)
   {
     if (const auto number = numberOfAnySize(part); number && std::abs(*number) > kLargestNumber)
     {
-      throw UserError(option + "=" + text + ": " + part +
-                      " is not from -1e30 to 1e30, as all numbers have to be");
+      std::ostringstream message;
+      message << option << "=" << text << ": " << part
+              << " is not from -1e30 to 1e30, as all numbers have to be";
+      throw UserError(message.str());
     }
   }
   throw UserError(option + "=" + text + " is not " + expected);

@@ -334,7 +334,9 @@ std::vector<LineKind> parseLineKinds(Text option, Text text)
     const LineKind kind = parseChoice(option, text.substr(begin, end - begin), lineKinds());
     if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end())
     {
-      throw UserError(option + "=" + text + " names a kind twice; name it once");
+      std::ostringstream message;
+      message << option << "=" << text << " names a kind twice; name it once";
+      throw UserError(message.str());
     }
     kinds.push_back(kind);
     begin = end + 1;

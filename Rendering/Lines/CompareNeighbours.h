@@ -21,7 +21,7 @@ enum PixelMark : std::uint8_t {
 struct NeighbourBounds {
   static constexpr std::int32_t kAlways = 16;  ///< an edge may be anywhere
 
-  std::vector<std::int32_t> asks;  ///< PixelMark bits and kAlways; 0: has no lines
+  std::vector<std::int32_t> asks;  ///< PixelMark bits and kAlways; 0: no lines are near it
   std::vector<float> tolerance;    ///< ImageOutline::depthTolerance
   std::vector<float> crease;       ///< of 1 - n.n'
 };

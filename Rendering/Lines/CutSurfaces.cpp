@@ -57,6 +57,7 @@ bool EdgeFinder::isInstanceAt(int x, int y, std::uint32_t instance) const
 
 /// One over the distance, in pixels, at which a rounded surface comes to its outline, by how its
 /// normals turn: the square of their cosine to the gaze falls along a straight line towards that.
+/// At most 1, as of normals perpendicular to the gaze.
 float EdgeFinder::fall(const Pixel& pixel, Vec3f eye) const
 {
   const auto squaredAt = [&](std::size_t index) {
@@ -75,7 +76,8 @@ float EdgeFinder::fall(const Pixel& pixel, Vec3f eye) const
     return result;
   };
   const float x = most(1, 0), y = most(0, 1);
-  return std::sqrt(x * x + y * y) / (here * static_cast<float>(kApart));
+  const float slope = std::sqrt(x * x + y * y), whole = here * static_cast<float>(kApart);
+  return slope < whole ? slope / whole : 1.0f;
 }
 
 /// The line goes over into that of the outline of either, which lies on its side.

@@ -34,7 +34,6 @@ struct TwoSides {
 
   bool has(std::uint32_t instance) const { return first == instance || second == instance; }
   bool isCut() const { return first != second; }
-  std::uint32_t beside(std::uint32_t instance) const { return first == instance ? second : first; }
 };
 /// In any order.
 inline bool areAlike(TwoSides a, TwoSides b)

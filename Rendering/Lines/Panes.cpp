@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/Panes.h"
 
+#include "Rendering/Base/ParallelStretches.h"
+#include "Rendering/Lines/LinePlace.h"
+#include "Rendering/Lines/StrokePieces.h"
+
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 
 namespace limn {
 namespace {
@@ -12,12 +18,84 @@ Vec3f full(Vec3f c)
   return {c.x < 1.0f ? c.x : 1.0f, c.y < 1.0f ? c.y : 1.0f, c.z < 1.0f ? c.z : 1.0f};
 }
 
+/// Marks the blocks of a frame that strokes may reach.
+class ReachMarker {
+ public:
+  explicit ReachMarker(const TileGrid& grid)
+      : grid_(grid),
+        columns_(grid.columns() * kPerTile),
+        rows_(grid.rows() * kPerTile),
+        reached_(grid.count())
+  {
+  }
+
+  /// A straight stroke, pixels from its middle to where it has none; on any thread.
+  void mark(const LinePoint& a, const LinePoint& b, double reach)
+  {
+    constexpr double kFar = 1e7;  // from here on rounding moves a place by more than it should
+    if (std::max({std::fabs(a.x), std::fabs(a.y), std::fabs(b.x), std::fabs(b.y)}) > kFar) {
+      markBox(0, 0, columns_ * kPaneBlockSide, rows_ * kPaneBlockSide);
+      return;
+    }
+    double from = 0, to = 1;
+    if (!keepInside(a.x, b.x, columns_ * kPaneBlockSide, reach, from, to) ||
+        !keepInside(a.y, b.y, rows_ * kPaneBlockSide, reach, from, to))
+      return;
+    const auto x = [&](double t) { return a.x + t * (b.x - a.x); };
+    const auto y = [&](double t) { return a.y + t * (b.y - a.y); };
+    const double length = std::max(std::fabs(x(to) - x(from)), std::fabs(y(to) - y(from)));
+    const int pieces = std::max(static_cast<int>(std::ceil(length / kPaneBlockSide)), 1);
+    for (int i = 0; i < pieces; ++i) {
+      const double s = from + (to - from) * i / pieces, t = from + (to - from) * (i + 1) / pieces;
+      markBox(std::min(x(s), x(t)) - reach, std::min(y(s), y(t)) - reach,
+              std::max(x(s), x(t)) + reach, std::max(y(s), y(t)) + reach);
+    }
+  }
+  TileBlocks of(std::size_t tile) const { return reached_[tile].load(std::memory_order_relaxed); }
+
+ private:
+  static constexpr int kPerTile = kTileSide / kPaneBlockSide;
+
+  /// Shortens a line to what is less than `reach` outside of [0, size]. False if nothing is.
+  static bool keepInside(double a, double b, double size, double reach, double& from, double& to)
+  {
+    const double change = b - a;
+    if (change == 0) return a >= -reach && a <= size + reach;
+    const double low = (-reach - a) / change, high = (size + reach - a) / change;
+    from = std::max(from, std::min(low, high));
+    to = std::min(to, std::max(low, high));
+    return from <= to;
+  }
+  static int blockOf(double pixel, int count)
+  {
+    const double block = std::floor(pixel / kPaneBlockSide);
+    return static_cast<int>(std::min(std::max(block, 0.0), count - 1.0));
+  }
+  void markBox(double x0, double y0, double x1, double y1)
+  {
+    const int lastColumn = blockOf(x1, columns_), lastRow = blockOf(y1, rows_);
+    for (int row = blockOf(y0, rows_); row <= lastRow; ++row)
+      for (int column = blockOf(x0, columns_); column <= lastColumn; ++column) {
+        const int bit = row % kPerTile * kPerTile + column % kPerTile;
+        std::atomic<TileBlocks>& tile = reached_[grid_.index(column / kPerTile, row / kPerTile)];
+        const auto mask = static_cast<TileBlocks>(1u << bit);
+        if ((tile.load(std::memory_order_relaxed) & mask) == 0)
+          tile.fetch_or(mask, std::memory_order_relaxed);
+      }
+  }
+
+  TileGrid grid_;
+  int columns_, rows_;  ///< of blocks
+  std::vector<std::atomic<TileBlocks>> reached_;
+};
+
 }  // namespace
 
 void TilePanes::add(const TileClusters& clusters, int samples,
                     const TranslucentFragments& fragments)
 {
   for (const TranslucentFragments::Pixel& touched : fragments.touched()) {
+    if (!isReached(touched.pixel)) continue;
     const auto lists = static_cast<std::uint32_t>(
         fragments.areSameInAll(touched, static_cast<std::uint32_t>(samples)) ? 1 : samples);
     pixels_.push_back({touched.pixel, static_cast<std::uint32_t>(listEnd_.size()), lists});
@@ -55,6 +133,26 @@ LineColor TilePanes::before(const Pixel& pixel, Vec3f color, float depth,
   const auto count = static_cast<float>(pixel.lists);
   return {{colors.x / count, colors.y / count, colors.z / count},
           {radiances.x / count, radiances.y / count, radiances.z / count}};
+}
+
+Panes::Panes(const Scene& scene, const TileGrid& grid, int threads) : tiles_(grid.count())
+{
+  constexpr std::size_t kChainsPerTask = 64;
+  ReachMarker marker(grid);
+  for (const Instance& instance : scene.instances) {
+    const LinePlace place(scene.camera, instance.modelToWorld, grid.width, grid.height);
+    for (const LineSet& set : instance.lines)
+      parallelForEach(threads, set.chainCount(), kChainsPerTask, [&](std::size_t chain) {
+        for (std::uint32_t i = set.first[chain]; i + 1 < set.first[chain + 1]; ++i) {
+          LinePoint a, b;
+          bool clipsStart, clipsEnd;
+          if (place.place(set, set.vertex[i], set.vertex[i + 1], a, b, clipsStart, clipsEnd))
+            marker.mark(a, b, strokeReach(set.style));
+        }
+      });
+  }
+  for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
+    tiles_[tile].reach(marker.of(tile));
 }
 
 bool Panes::areNeeded(const Scene& scene, const FrameView& frame)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Rendering/Base/Vec.h"
+#include "Rendering/Binning/TileGrid.h"
 #include "Rendering/FrameView.h"
 #include "Rendering/Scene.h"
 #include "Rendering/Shading/TranslucentFragments.h"
@@ -19,7 +20,13 @@ struct LineColor {
   Vec3f radiance;
 };
 
-/// The translucent surfaces of one tile, among which its lines are seen.
+/// Blocks of a tile, bit by bit, row by row from below.
+using TileBlocks = std::uint16_t;
+inline constexpr int kPaneBlockSide = 16;  ///< pixels
+static_assert(kTileSide == 4 * kPaneBlockSide, "a bit of TileBlocks for each block");
+
+/// The translucent surfaces of one tile, among which its lines are seen; those in blocks that no
+/// line reaches are not kept.
 class TilePanes {
  public:
   /// Those of a pixel: one list for all of its samples, or one for each.
@@ -27,6 +34,8 @@ class TilePanes {
     std::uint32_t pixel;  ///< row * kTileSide + column, within the tile
     std::uint32_t firstList, lists;
   };
+  void reach(TileBlocks blocks) { reached_ = blocks; }
+  bool isReached() const { return reached_ != 0; }
   /// Requires: fragments that are shaded and have their depths.
   void add(const TileClusters& clusters, int samples, const TranslucentFragments& fragments);
   const std::vector<Pixel>& pixels() const { return pixels_; }
@@ -40,6 +49,14 @@ class TilePanes {
     std::uint32_t instance;  ///< place in Scene::instances
     Vec4f color;             ///< TranslucentFragments::colors()
   };
+  bool isReached(std::uint32_t pixel) const
+  {
+    constexpr std::uint32_t kSide = kTileSide, kBlock = kPaneBlockSide;
+    const std::uint32_t row = pixel / kSide / kBlock, column = pixel % kSide / kBlock;
+    return (reached_ >> (row * (kSide / kBlock) + column) & 1u) != 0;
+  }
+
+  TileBlocks reached_ = 0;
   std::vector<Pixel> pixels_;
   std::vector<std::uint32_t> listEnd_;  ///< in panes_
   std::vector<Pane> panes_;             ///< of each list the farthest first
@@ -52,7 +69,7 @@ class Panes {
   /// Background::kKeepApart never: the host lays it over what is behind.
   static bool areNeeded(const Scene& scene, const FrameView& frame);
 
-  explicit Panes(std::size_t tiles) : tiles_(tiles) {}
+  Panes(const Scene& scene, const TileGrid& grid, int threads);
   TilePanes& tile(std::size_t number) { return tiles_[number]; }
   const TilePanes& tile(std::size_t number) const { return tiles_[number]; }
 

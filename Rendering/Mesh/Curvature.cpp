@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/Curvature.h"
 
+#include "Rendering/Base/Array.h"
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Mesh/CornerLists.h"
 
@@ -15,7 +16,7 @@ namespace {
 
 constexpr std::size_t kPerTask = 4096;
 /// Of more triangles the planes, 72 bytes each, are computed anew wherever they are needed.
-constexpr std::size_t kMostKept = std::size_t{1} << 23;
+constexpr std::size_t kMostKept = std::size_t{1} << 22;
 
 /// Two unit vectors that span a plane.
 struct Frame {
@@ -326,7 +327,7 @@ class CurvatureEstimator {
   int threads_;
   std::vector<char> isProper_;
   CornerLists corners_;
-  std::vector<FacePlane> kept_;  ///< by triangle; none of a mesh with too many
+  Array<FacePlane> kept_;  ///< by triangle; none of a mesh with too many
   std::vector<Frame> frames_;
   std::vector<Tensor> tensors_;
 };

@@ -22,6 +22,7 @@ struct VertexCurvature {
 /// nearest to the vertex; and the derivative likewise from differences of tensors.
 /// `normals` are unit, one per vertex. Vertices without a proper face get zeros, as do those with
 /// one that is broken. The same bits on any number of threads.
+/// Requires: fewer than 2^32 / 3 triangles.
 std::vector<VertexCurvature> vertexCurvature(const MeshView& mesh, Span<const Vec3f> normals,
                                              int threads);
 

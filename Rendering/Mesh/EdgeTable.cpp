@@ -16,11 +16,6 @@ namespace {
 constexpr std::size_t kVerticesPerTask = 8192;
 constexpr std::size_t kEdgesPerTask = 8192;
 
-std::size_t taskCount(std::size_t count, std::size_t perTask)
-{
-  return (count + perTask - 1) / perTask;
-}
-
 bool isUsed(const MeshView& mesh, const EdgeTable& table, const Triangle& triangle)
 {
   for (const std::uint32_t v : triangle.vertex)
@@ -48,7 +43,7 @@ void findEdges(const MeshView& mesh, int threads, EdgeTable& table)
 {
   HalfEdges halves(mesh, table.place, threads,
                    [&](std::size_t t) { return isUsed(mesh, table, mesh.triangles[t]); });
-  std::vector<std::vector<MeshEdge>> found(taskCount(mesh.vertexCount(), kVerticesPerTask));
+  std::vector<std::vector<MeshEdge>> found(stretchCount(mesh.vertexCount(), kVerticesPerTask));
   parallelFor(threads, found.size(), [&](std::size_t task) {
     const std::size_t end = std::min(mesh.vertexCount(), (task + 1) * kVerticesPerTask);
     for (std::size_t v = task * kVerticesPerTask; v < end; ++v) {
@@ -156,7 +151,7 @@ Status buildEdgeTable(const MeshView& mesh, double tolerance, int threads, EdgeT
   table.place = weldVertices(mesh, tolerance, threads);
   findEdges(mesh, threads, table);
   table.woundAlike.assign(table.edges.size(), 0);
-  parallelFor(threads, taskCount(table.edges.size(), kEdgesPerTask), [&](std::size_t task) {
+  parallelFor(threads, stretchCount(table.edges.size(), kEdgesPerTask), [&](std::size_t task) {
     const std::size_t end = std::min(table.edges.size(), (task + 1) * kEdgesPerTask);
     for (std::size_t e = task * kEdgesPerTask; e < end; ++e)
       if (table.edges[e].isShared() && table.isWoundAlike(mesh, table.edges[e]))
@@ -170,7 +165,7 @@ std::vector<std::uint8_t> edgeKinds(const MeshView& mesh, const EdgeTable& table
 {
   const KindFinder finder(mesh, table, arrays, creaseDegrees);
   std::vector<std::uint8_t> kinds(table.edges.size());
-  parallelFor(threads, taskCount(kinds.size(), kEdgesPerTask), [&](std::size_t task) {
+  parallelFor(threads, stretchCount(kinds.size(), kEdgesPerTask), [&](std::size_t task) {
     const std::size_t end = std::min(kinds.size(), (task + 1) * kEdgesPerTask);
     for (std::size_t e = task * kEdgesPerTask; e < end; ++e)
       kinds[e] = finder.kindsOf(table.edges[e]);

@@ -8,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -99,8 +100,12 @@ class MortonGrid {
     // Cubes, so that cells are as wide as they are high.
     const double extent = std::max({size.x, size.y, size.z});
     scale_ = extent > 0 ? kCells / extent : 0.0;
-    lowFloat_ = vec3Cast<float>(low_);
-    scaleFloat_ = static_cast<float>(scale_);
+    const auto toFloat = [](double x) {
+      constexpr double kLargest = std::numeric_limits<float>::max();
+      return static_cast<float>(std::clamp(x, -kLargest, kLargest));
+    };
+    lowFloat_ = {toFloat(low_.x), toFloat(low_.y), toFloat(low_.z)};
+    scaleFloat_ = toFloat(scale_);
   }
   std::uint32_t code(Vec3d point) const
   {

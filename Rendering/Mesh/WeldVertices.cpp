@@ -30,38 +30,67 @@ std::uint64_t bitsOf(double value)
 std::uint64_t mixed(std::uint64_t a, std::uint64_t b)
 {
   const std::uint64_t product = (a ^ b) * 0x9E3779B97F4A7C15u;
-  return product ^ (product >> 29);
+  return product ^ (product >> 32);
 }
 
 std::uint64_t hashOf(Vec3d p)
 {
-  return mixed(mixed(mixed(0, bitsOf(p.x)), bitsOf(p.y)), bitsOf(p.z));
+  // Once more, as only the high bits of a product depend on all of a factor's.
+  return mixed(mixed(mixed(mixed(0, bitsOf(p.x)), bitsOf(p.y)), bitsOf(p.z)), 0);
 }
 
 struct HashedVertex {
   std::uint32_t vertex, hash;
 };
 
+/// Finds the first vertex in a place; as large as there are places, at most half full.
+class PlaceTable {
+ public:
+  explicit PlaceTable(const MeshView& mesh) : mesh_(mesh), slots_(16, kFree) {}
+
+  std::uint32_t firstAt(const HashedVertex& one)
+  {
+    HashedVertex& found = slots_[slotOf(one)];
+    if (found.vertex != kFree.vertex) return found.vertex;
+    found = one;
+    if (2 * ++count_ > slots_.size()) grow();
+    return one.vertex;
+  }
+
+ private:
+  static constexpr HashedVertex kFree = {0xFFFFFFFFu, 0};
+
+  /// That of the place, or a free one.
+  std::size_t slotOf(const HashedVertex& one) const
+  {
+    const auto isSame = [&](const HashedVertex& other) {
+      return other.hash == one.hash && mesh_.position(other.vertex) == mesh_.position(one.vertex);
+    };
+    std::size_t slot = one.hash & (slots_.size() - 1);
+    while (slots_[slot].vertex != kFree.vertex && !isSame(slots_[slot]))
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+  void grow()
+  {
+    std::vector<HashedVertex> old(2 * slots_.size(), kFree);
+    old.swap(slots_);
+    for (const HashedVertex& one : old)
+      if (one.vertex != kFree.vertex) slots_[slotOf(one)] = one;
+  }
+
+  const MeshView& mesh_;
+  std::vector<HashedVertex> slots_;
+  std::size_t count_ = 0;
+};
+
 /// Gives each vertex of a bucket, ascending, the first one that is where it is.
 void weldBucket(const MeshView& mesh, Span<const HashedVertex> vertices,
                 std::vector<std::uint32_t>& place)
 {
-  constexpr HashedVertex kFree = {0xFFFFFFFFu, 0};
-  std::size_t slots = 16;
-  while (slots < 2 * vertices.size())
-    slots *= 2;
-  thread_local std::vector<HashedVertex> table;
-  table.assign(slots, kFree);
-  for (const HashedVertex& one : vertices) {
-    const auto isSame = [&](const HashedVertex& other) {
-      return other.hash == one.hash && mesh.position(other.vertex) == mesh.position(one.vertex);
-    };
-    std::size_t slot = one.hash & (slots - 1);
-    while (table[slot].vertex != kFree.vertex && !isSame(table[slot]))
-      slot = (slot + 1) & (slots - 1);
-    if (table[slot].vertex == kFree.vertex) table[slot] = one;
-    place[one.vertex] = table[slot].vertex;
-  }
+  PlaceTable table(mesh);
+  for (const HashedVertex& one : vertices)
+    place[one.vertex] = table.firstAt(one);
 }
 
 std::vector<std::uint32_t> weldEqual(const MeshView& mesh, int threads)

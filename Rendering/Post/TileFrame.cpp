@@ -33,8 +33,7 @@ T* planeFor(const T* ofFrame, Array<T>& memory)
 
 }  // namespace
 
-const FrameView& TileFrame::begin(const FrameView& frame, const TileRectangle& place,
-                                  float* depth)
+const FrameView& TileFrame::begin(const FrameView& frame, const TileRectangle& place, float* depth)
 {
   frame_ = frame;
   place_ = place;

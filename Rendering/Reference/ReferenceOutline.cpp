@@ -278,6 +278,8 @@ class Outlines {
     const float x = std::max(squared({p.x - 4, p.y}), squared({p.x + 4, p.y})) - here;
     const float y = std::max(squared({p.x, p.y - 4}), squared({p.x, p.y + 4})) - here;
     const Vec2f gradient = {std::max(0.0f, x), std::max(0.0f, y)};
+    // Nearer than a pixel is at the outline; so is a normal perpendicular to the gaze.
+    if (std::sqrt(dot2(gradient, gradient)) >= here * 4) return 1;
     return std::sqrt(dot2(gradient, gradient)) / (here * 4);
   }
   /// How much more than half of the line's width is on the side of p, where q's instance cuts it.

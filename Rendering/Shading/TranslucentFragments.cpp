@@ -173,7 +173,9 @@ bool TranslucentFragments::areSameInAll(Pixel touched, std::uint32_t samples) co
   const std::uint32_t* const layers = layers_.data() + touched.first;
   const std::size_t length = 1 + layers[0];
   for (std::uint32_t s = 1; s < samples; ++s)
-    if (!std::equal(layers, layers + length, layers + s * length)) return false;
+    if (layers[s * length] != layers[0] ||
+        !std::equal(layers, layers + length, layers + s * length))
+      return false;
   return true;
 }
 

@@ -224,5 +224,46 @@ TEST_P(CutOutlines, RunWhereASteepWallStandsOnAFloor)
       }
 }
 
+/// A rectangle whose vertices have a normal of their own.
+OwnedMesh rectangle(Vec3d corner, Vec3d a, Vec3d b, Vec3f normal)
+{
+  OwnedMesh mesh;
+  for (const Vec3d p : {corner, corner + a, corner + a + b, corner + b}) {
+    mesh.positions.push_back(vec3Cast<float>(p));
+    mesh.vertexNormals.push_back(normal);
+  }
+  mesh.triangles = {{{0, 1, 2}}, {{0, 2, 3}}};
+  finish(mesh);
+  return mesh;
+}
+
+TEST(CutOutline, IsTheSameInBothBackendsWhereNormalsArePerpendicularToTheGaze)
+{
+  // As those of leaves: nobody can tell by them how far an outline is.
+  for (const double degrees : {9.0, 40.0}) {
+    const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
+    const Vec3d middle = {32.37, 31.81, 10}, along = {80 * c, 80 * s, 0},
+                up = {-64 * s, 64 * c, 64};
+    const OwnedMesh wall = rectangle(middle - along - up, along * 2.0, up * 2.0,
+                                     vec3Cast<float>(normalized(Vec3d{s, -c, 1})));
+    const OwnedMesh leaf = rectangle({-40, -40, 10}, {150, 0, 0}, {0, 150, 0}, {0, 1, 0});
+    Stage stage = flatStage(64, 1);
+    stage.view.eye.z = 120;
+    stage.view.near = 1;
+    stage.view.far = 200;
+    stage.instances = {outlined(wall, 6, 1), outlined(leaf, 6, 2)};
+    for (Instance& instance : stage.instances)
+      instance.style.normals = NormalSource::kVertex;
+    const Picture picture = drawOverWhite(stage, Backend::kPipeline);
+    EXPECT_EQ(drawOverWhite(stage, Backend::kReference).differingPixels(picture), 0u) << degrees;
+    double ink = 0;
+    for (int y = 12; y < 52; ++y)
+      for (int x = 12; x < 52; ++x)
+        ink += darknessOf(at(picture, x, y));
+    // It lies on one side, and where it ends short of the wall some of it is missing.
+    EXPECT_NEAR(ink, 6 * 40 / c, 0.06 * 240 / c) << degrees;
+  }
+}
+
 }  // namespace
 }  // namespace limn::testing

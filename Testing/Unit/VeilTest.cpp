@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Lines/Panes.h"
 #include "Testing/Unit/TestScene.h"
 
 #include <utility>
@@ -237,6 +238,44 @@ TEST_P(Veils, LieOverRadianceLikewise)
 }
 
 LIMN_ON_BOTH_BACKENDS(Veils);
+
+TEST(Veil, LooksAtNoMoreThanTheLayersOfAPixel)
+{
+  // A hundred specks on one sample of the last pixel, and on the others fewer, at the memory's end:
+  // a sanitizer sees more.
+  const Line line(-0.9f, kBlack);
+  constexpr double kPixels = 64, kX = 63 + 144 / 256.0, kY = 63 + 80 / 256.0, kHalf = 1 / 32.0;
+  const OwnedMesh base = testing::sheet({-1, -1, -0.5}, {kPixels + 2, 0, 0}, {0, kPixels + 2, 0});
+  std::vector<Vec3d> points;
+  for (int i = 0; i < 100; ++i) {
+    const double z = -0.4 + i * 0.005;
+    points.insert(points.end(),
+                  {{kX - kHalf, kY - kHalf, z}, {kX + kHalf, kY - kHalf, z}, {kX, kY + kHalf, z}});
+  }
+  const OwnedMesh specks = testing::soup(points);
+  Stage stage = testing::pixelStage(static_cast<int>(kPixels), 8);
+  stage.instances = {pane(base, 0.5f), pane(specks, 0.5f)};
+  stage.instances[0].lines = line.sets;
+  const Rgba8 color = at(stage.draw(Backend::kPipeline), 63, 63);
+  EXPECT_GT(color.r, 127);
+}
+
+TEST(Panes, AreKeptOnlyWhereALineMayBe)
+{
+  const Line line(-0.5f, kBlack);
+  Stage stage = testing::pixelStage(200, 1);
+  const OwnedMesh all = testing::sheet({0, 0, 0}, {200, 0, 0}, {0, 200, 0});
+  stage.instances = {pane(all, 0.5f)};
+  stage.instances[0].lines = line.sets;
+  const Scene scene = stage.scene();
+  const Panes panes(scene, {200, 200}, 2);
+  for (std::size_t tile = 0; tile < 16; ++tile)
+    EXPECT_EQ(panes.tile(tile).isReached(), tile == 0) << tile;
+  Line far(-0.5f, kBlack);
+  far.points[1].x = 1e20f;
+  stage.instances[0].lines = far.sets;
+  EXPECT_TRUE(Panes(stage.scene(), {200, 200}, 2).tile(3).isReached());
+}
 
 }  // namespace
 }  // namespace limn

@@ -293,6 +293,8 @@ TEST(Arguments, DepthCuesAreRead)
   EXPECT_EQ(*cues.haloColor, (Color{ 1, 0, 0 }));
   EXPECT_FALSE(parseRender({}).scene.cues.eyeDome.has_value());
   EXPECT_EQ(renderErrorOf({ "--style=ink", "--edl=1" }), "");
+  EXPECT_EQ(renderErrorOf({ "--halo=4", "--opacity=0.5" }),
+    "--halo needs an opaque surface; leave out --opacity");
   const struct
   {
     const char* option;
@@ -685,6 +687,9 @@ TEST(Arguments, FactorsOfLightMayExceed1AndColorsOfThePictureMayNot)
 TEST(Arguments, ValuesOfImageLinesHaveTheirRanges)
 {
   const std::string image = "--outline=image";
+  EXPECT_EQ(renderErrorOf({ image, "--opacity=0.5" }),
+    "--outline=image needs an opaque surface; leave out --opacity, or take --outline=hull or "
+    "--lines=contour");
   EXPECT_EQ(renderErrorOf({ image, "--outline-width=65" }),
     "--outline-width=65 is not from 0 to 64 pixels");
   EXPECT_EQ(
