@@ -27,6 +27,16 @@ std::uint64_t bitsOf(double value)
   return bits;
 }
 
+/// With 0 for coordinates below 2^-46 of the largest: what the sine of a whole turn, a number near
+/// that, lacks of 0 is less.
+Vec3d cleaned(Vec3d p)
+{
+  constexpr double kNothing = 0x1p-46;
+  const double size = std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+  const auto round = [least = size * kNothing](double x) { return std::fabs(x) < least ? 0.0 : x; };
+  return {round(p.x), round(p.y), round(p.z)};
+}
+
 std::uint64_t mixed(std::uint64_t a, std::uint64_t b)
 {
   const std::uint64_t product = (a ^ b) * 0x9E3779B97F4A7C15u;
@@ -64,7 +74,8 @@ class PlaceTable {
   std::size_t slotOf(const HashedVertex& one) const
   {
     const auto isSame = [&](const HashedVertex& other) {
-      return other.hash == one.hash && mesh_.position(other.vertex) == mesh_.position(one.vertex);
+      return other.hash == one.hash &&
+             cleaned(mesh_.position(other.vertex)) == cleaned(mesh_.position(one.vertex));
     };
     std::size_t slot = one.hash & (slots_.size() - 1);
     while (slots_[slot].vertex != kFree.vertex && !isSame(slots_[slot]))
@@ -106,7 +117,7 @@ std::vector<std::uint32_t> weldEqual(const MeshView& mesh, int threads)
                          [&](std::size_t task, std::size_t begin, std::size_t end) {
                            for (std::size_t v = begin; v < end; ++v)
                              if (const Vec3d p = mesh.position(v); isFinite(p)) {
-                               const std::uint64_t hash = hashOf(p);
+                               const std::uint64_t hash = hashOf(cleaned(p));
                                visit(next[task][hash % kBuckets],
                                      HashedVertex{static_cast<std::uint32_t>(v),
                                                   static_cast<std::uint32_t>(hash >> 32)});

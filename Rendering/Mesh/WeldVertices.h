@@ -10,9 +10,10 @@
 namespace limn {
 
 /// For each vertex the one that stands for its place: the first of those that lie there. Vertices
-/// are in one place if their coordinates are equal (0 and -0 are), or, for a tolerance above 0, if
-/// they lie within it of a vertex before them that stands for its place. Vertices that are not
-/// finite stand for themselves. The same on any number of threads.
+/// are in one place if their coordinates are equal, 0 standing for those below 2^-46 of the
+/// largest; or, for a tolerance above 0, if they lie within it of a vertex before them that stands
+/// for its place. Vertices that are not finite stand for themselves. The same on any number of
+/// threads.
 std::vector<std::uint32_t> weldVertices(const MeshView& mesh, double tolerance, int threads);
 
 }  // namespace limn

@@ -74,6 +74,37 @@ TEST(EdgeTable, ZeroAndMinusZeroAreOnePlace)
   EXPECT_EQ(countOf(mesh.view(), kBorderEdge), 4u);
 }
 
+TEST(EdgeTable, TheEndOfAWholeTurnIsItsBeginning)
+{
+  // As VTK's parametric surfaces have it: the points of a seam differ by what the sine of 2 pi, a
+  // number near that, lacks of 0.
+  constexpr std::uint32_t kSteps = 24, kRow = kSteps + 1;
+  for (const double size : {1e-3, 1.0, 3e5}) {
+    std::vector<Vec3f> positions;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i <= kSteps; ++i)
+      for (std::uint32_t j = 0; j <= kSteps; ++j) {
+        const double u = 2 * kPi * i / kSteps, v = 2 * kPi * j / kSteps, r = 1 + 0.5 * std::cos(v);
+        positions.push_back(
+            vec3Cast<float>(Vec3d{r * std::cos(u), r * std::sin(u), 0.5 * std::sin(v)} * size));
+        if (i == kSteps || j == kSteps) continue;
+        const std::uint32_t a = i * kRow + j;
+        triangles.push_back({{a, a + kRow, a + kRow + 1}});
+        triangles.push_back({{a, a + kRow + 1, a + 1}});
+      }
+    MeshView mesh;
+    mesh.positions = positions;
+    mesh.triangles = triangles;
+    EXPECT_FALSE(positions[0].y == positions[kSteps * kRow].y);
+    EXPECT_EQ(countOf(mesh, kBorderEdge), 0u) << size;
+  }
+  // But not what a float tells apart.
+  const std::vector<Vec3f> apart = {{1, 0, 0}, {1, 1e-7f, 0}, {1, 0, 1}};
+  MeshView mesh;
+  mesh.positions = apart;
+  EXPECT_EQ(weldVertices(mesh, 0, 1), (std::vector<std::uint32_t>{0, 1, 2}));
+}
+
 TEST(EdgeTable, AToleranceWeldsWhatIsNearButNotFarther)
 {
   Polyhedron mesh;
