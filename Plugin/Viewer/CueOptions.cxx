@@ -97,18 +97,16 @@ void checkCues(const SceneSettings& scene)
   const CueSettings& cues = scene.cues;
   const struct
   {
-    const char* option;
-    bool isGiven;
-    const char* needed;
-    bool isThere;
+    const char *option, *needed;
+    bool isGiven, isThere;
   } needs[] = {
-    { "--edl-radius", cues.eyeDomeRadius.has_value(), "--edl", cues.eyeDome.has_value() },
-    { "--depth-unsharp-mode", cues.unsharpMode.has_value(), "--depth-unsharp",
+    { "--edl-radius", "--edl", cues.eyeDomeRadius.has_value(), cues.eyeDome.has_value() },
+    { "--depth-unsharp-mode", "--depth-unsharp", cues.unsharpMode.has_value(),
       cues.unsharp.has_value() },
-    { "--depth-unsharp-radius", cues.unsharpRadius.has_value(), "--depth-unsharp",
+    { "--depth-unsharp-radius", "--depth-unsharp", cues.unsharpRadius.has_value(),
       cues.unsharp.has_value() },
-    { "--halo-depth", cues.haloDepth.has_value(), "--halo", cues.halo.has_value() },
-    { "--halo-color", cues.haloColor.has_value(), "--halo", cues.halo.has_value() },
+    { "--halo-depth", "--halo", cues.haloDepth.has_value(), cues.halo.has_value() },
+    { "--halo-color", "--halo", cues.haloColor.has_value(), cues.halo.has_value() },
   };
   for (const auto& one : needs)
   {
