@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/HullEdges.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Mesh/HalfEdges.h"
 #include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Mesh/WeldVertices.h"
@@ -15,14 +15,6 @@ namespace limn {
 namespace {
 
 constexpr std::size_t kChunk = 1 << 14;
-
-template <class Body>
-void forEachChunk(std::size_t count, int threads, Body body)
-{
-  parallelFor(threads, (count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-    body(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk));
-  });
-}
 
 bool isDrawable(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
 {
@@ -61,19 +53,19 @@ class EdgeFinder {
   void findNormals()
   {
     hull_.normal.resize(mesh_.triangles.size());
-    forEachChunk(hull_.normal.size(), threads_,
-                 [&](std::size_t, std::size_t begin, std::size_t end) {
-                   for (std::size_t t = begin; t < end; ++t) {
-                     const Triangle& triangle = mesh_.triangles[t];
-                     hull_.normal[t] = {0, 0, 0};
-                     if (!isDrawable(mesh_, triangle, hull_.origin)) continue;
-                     const Vec3d p = position(triangle.vertex[0]);
-                     const Vec3d area =
-                         cross(position(triangle.vertex[1]) - p, position(triangle.vertex[2]) - p);
-                     const Vec3d unit = normalized(area);
-                     if (isFinite(unit)) hull_.normal[t] = vec3Cast<float>(unit);
-                   }
-                 });
+    parallelForStretches(threads_, hull_.normal.size(), kChunk,
+                         [&](std::size_t, std::size_t begin, std::size_t end) {
+                           for (std::size_t t = begin; t < end; ++t) {
+                             const Triangle& triangle = mesh_.triangles[t];
+                             hull_.normal[t] = {0, 0, 0};
+                             if (!isDrawable(mesh_, triangle, hull_.origin)) continue;
+                             const Vec3d p = position(triangle.vertex[0]);
+                             const Vec3d area = cross(position(triangle.vertex[1]) - p,
+                                                      position(triangle.vertex[2]) - p);
+                             const Vec3d unit = normalized(area);
+                             if (isFinite(unit)) hull_.normal[t] = vec3Cast<float>(unit);
+                           }
+                         });
   }
 
   /// Pairs the half edges of each vertex; what is left over is counted.
@@ -84,10 +76,12 @@ class EdgeFinder {
     const std::size_t chunks = (vertices + kChunk - 1) / kChunk;
     pairs_.resize(chunks);
     unpaired_.assign(chunks, 0);
-    forEachChunk(vertices, threads_, [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-      for (std::size_t v = begin; v < end; ++v)
-        pairAt(static_cast<std::uint32_t>(v), halves.sorted(v), pairs_[chunk], unpaired_[chunk]);
-    });
+    parallelForStretches(threads_, vertices, kChunk,
+                         [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                           for (std::size_t v = begin; v < end; ++v)
+                             pairAt(static_cast<std::uint32_t>(v), halves.sorted(v), pairs_[chunk],
+                                    unpaired_[chunk]);
+                         });
   }
 
   void pairAt(std::uint32_t v, Span<HalfEdge> halves, std::vector<HullEdge>& pairs,
@@ -121,16 +115,16 @@ class EdgeFinder {
   double volume() const
   {
     std::vector<double> sums((mesh_.triangles.size() + kChunk - 1) / kChunk);
-    forEachChunk(mesh_.triangles.size(), threads_,
-                 [&](std::size_t chunk, std::size_t begin, std::size_t end) {
-                   double sum = 0;
-                   for (std::size_t t = begin; t < end; ++t) {
-                     if (!counts(t)) continue;
-                     const auto& v = mesh_.triangles[t].vertex;
-                     sum += dot(position(v[0]), cross(position(v[1]), position(v[2])));
-                   }
-                   sums[chunk] = sum;
-                 });
+    parallelForStretches(threads_, mesh_.triangles.size(), kChunk,
+                         [&](std::size_t chunk, std::size_t begin, std::size_t end) {
+                           double sum = 0;
+                           for (std::size_t t = begin; t < end; ++t) {
+                             if (!counts(t)) continue;
+                             const auto& v = mesh_.triangles[t].vertex;
+                             sum += dot(position(v[0]), cross(position(v[1]), position(v[2])));
+                           }
+                           sums[chunk] = sum;
+                         });
     return std::accumulate(sums.begin(), sums.end(), 0.0);
   }
 

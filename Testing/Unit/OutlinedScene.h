@@ -45,6 +45,23 @@ inline double darknessOf(Rgba8 color)
   return (255.0 - color.g) / 255.0;
 }
 
+/// Checks the middle of a picture of 64 x 64 pixels, in which a line three pixels wide runs through
+/// `middle`: it is black inside and has as much ink as it is long and wide.
+inline void expectEvenLine(const Picture& picture, Vec3d middle, double degrees)
+{
+  const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
+  double sum = 0;
+  for (int y = 12; y < 52; ++y)
+    for (int x = 12; x < 52; ++x) {
+      const double off = std::fabs((x + 0.5 - middle.x) * -s + (y + 0.5 - middle.y) * c);
+      if (off < 1.5 - 0.75) {
+        EXPECT_EQ(at(picture, x, y).g, 0) << x << ", " << y << " at " << degrees;
+      }
+      if (off < 3) sum += darknessOf(at(picture, x, y));
+    }
+  EXPECT_NEAR(sum, 3 * 40 / c, 3 * 40 / c * 0.02) << "at " << degrees;
+}
+
 /// A disc of many triangles.
 inline OwnedMesh disc(Vec3d middle, double radius)
 {
