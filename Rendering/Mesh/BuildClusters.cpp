@@ -7,6 +7,8 @@
 #include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Mesh/SortTriangles.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -57,6 +59,25 @@ void dropLowParts(ClusteredMesh& clusters)
 bool isFloatAtZero(const MeshView& mesh, Vec3d origin)
 {
   return !mesh.positions.empty() && origin == Vec3d{0, 0, 0};
+}
+
+/// Runs of consecutive groups. Counts the triangles in clusters.triangleCount.
+std::vector<ClusterRun> divide(Span<const TriangleGroup> groups, ClusteredMesh& clusters)
+{
+  std::vector<ClusterRun> runs;
+  std::size_t units = kUnitsOfRun;  // of the last run
+  for (const TriangleGroup& group : groups) {
+    units += group.units();
+    if (units > kUnitsOfRun) {
+      units = group.units();
+      runs.push_back({});
+      runs.back().groups = {&group, 0};
+      runs.back().firstTriangle = clusters.triangleCount;
+    }
+    runs.back().groups = {runs.back().groups.data(), runs.back().groups.size() + 1};
+    clusters.triangleCount += group.triangles();
+  }
+  return runs;
 }
 
 void allocateVertices(const std::vector<ClusterRun>& runs, ClusteredMesh& clusters)
@@ -120,11 +141,27 @@ bool placeVertices(const MeshView& mesh, Cluster& cluster, ClusteredMesh& cluste
   return anyLow;
 }
 
+void prefetch(const MeshView& mesh, Span<const std::uint32_t> vertices)
+{
+  for (const std::uint32_t v : vertices)
+    if (mesh.positions.empty())
+      hwy::Prefetch(&mesh.precisePositions[v]);
+    else
+      hwy::Prefetch(&mesh.positions[v]);
+}
+
+Span<const std::uint32_t> verticesOf(const ClusterRun& run, std::size_t cluster)
+{
+  const Cluster& one = run.clusters[cluster];
+  return {run.vertex.data() + one.firstVertex, one.vertexCount};
+}
+
 bool copyRun(const MeshView& mesh, const ClusterRun& run, Place to, ClusteredMesh& clusters)
 {
   std::copy(run.vertex.begin(), run.vertex.end(), clusters.vertex.data() + to.vertex);
   bool anyLow = false;
   for (std::size_t c = 0; c < run.clusters.size(); ++c) {
+    if (c + 1 < run.clusters.size()) prefetch(mesh, verticesOf(run, c + 1));
     Cluster cluster = run.clusters[c];
     cluster.firstVertex += static_cast<std::uint32_t>(to.vertex);
     if (placeVertices(mesh, cluster, clusters)) anyLow = true;
@@ -182,27 +219,15 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   clusters = {};
   clusters.meshVertexCount = mesh.vertexCount();
   clusters.meshTriangleCount = mesh.triangles.size();
-  const Box box = finiteBox(mesh, threads);
+  const FiniteBox box = finiteBox(mesh, threads);
   clusters.origin = localOrigin(box);
 
   SortedTriangles sorted = sortTriangles(mesh, box, clusters.origin, threads);
   clusters.outOfRangeTriangles = sorted.outOfRange;
   clusters.notFiniteTriangles = sorted.notFinite;
-  const Span<const TriangleUnit> order = {sorted.units.data(), sorted.units.size()};
-  std::vector<ClusterRun> runs((order.size() + kUnitsOfRun - 1) / kUnitsOfRun);
-  const auto unitsOf = [&](std::size_t r) {
-    return Span<const TriangleUnit>(order.data() + r * kUnitsOfRun,
-                                    std::min(kUnitsOfRun, order.size() - r * kUnitsOfRun));
-  };
-  parallelFor(threads, runs.size(), [&](std::size_t r) {
-    for (const TriangleUnit& unit : unitsOf(r))
-      runs[r].firstTriangle += unit.count();
-  });
-  for (ClusterRun& run : runs)
-    clusters.triangleCount += std::exchange(run.firstTriangle, clusters.triangleCount);
+  std::vector<ClusterRun> runs = divide(sorted.groups, clusters);
   allocateTriangles(clusters);
-  parallelFor(threads, runs.size(),
-              [&](std::size_t r) { cutRun(mesh, unitsOf(r), runs[r], clusters); });
+  parallelFor(threads, runs.size(), [&](std::size_t r) { cutRun(mesh, runs[r], clusters); });
   sorted = {};
 
   allocateVertices(runs, clusters);

@@ -65,15 +65,14 @@ Vec cornerSum(Span<const Vec> positions, const Triangle& t)
 /// until a part fits into a cluster.
 class RunCutter {
  public:
-  RunCutter(const MeshView& mesh, Span<const TriangleUnit> units, ClusterRun& run,
-            ClusteredMesh& clusters)
+  RunCutter(const MeshView& mesh, ClusterRun& run, ClusteredMesh& clusters)
       : mesh_(mesh),
-        units_(units),
         run_(run),
         triangleCount_(run.firstTriangle),
         triangle_(clusters.triangle.data()),
         corner_{clusters.corner[0].data(), clusters.corner[1].data(), clusters.corner[2].data()}
   {
+    listUnits();
     if (mesh.positions.empty())
       placeMembers(mesh.precisePositions);
     else
@@ -82,25 +81,46 @@ class RunCutter {
 
   void cut()
   {
-    cut(0, units_.size());
+    cut(0, unitCount_);
     run_.vertex.assign(vertex_, vertex_ + vertexCount_);
   }
 
  private:
+  struct Range {
+    std::uint16_t low, high;
+
+    int width() const { return high - low; }
+  };
+
+  void listUnits()
+  {
+    for (const TriangleGroup& group : run_.groups) {
+      std::uint32_t pairs = group.pairs(), triangle = group.first;
+      for (std::size_t u = 0; u < group.units(); ++u, pairs >>= 1) {
+        first_[unitCount_] = triangle;
+        member_[unitCount_].numberAndPair =
+            static_cast<std::uint16_t>(2 * unitCount_ + (pairs & 1));
+        triangle += 1 + (pairs & 1);
+        ++unitCount_;
+      }
+    }
+  }
+
   /// Where the units are, in steps of their box.
   template <class Vec>
   void placeMembers(Span<const Vec> positions)
   {
     using Number = decltype(Vec::x);
     constexpr std::size_t kAhead = 16;
-    std::vector<Vec> sum(units_.size());
+    std::vector<Vec> sum(unitCount_);
     Vec low = {}, high = {};
-    for (std::size_t i = 0; i < units_.size(); ++i) {
-      if (i + 2 * kAhead < units_.size()) {
-        hwy::Prefetch(&mesh_.triangles[units_[i + 2 * kAhead].first]);
-        hwy::Prefetch(&positions[mesh_.triangles[units_[i + kAhead].first].vertex[0]]);
+    for (std::size_t i = 0; i < unitCount_; ++i) {
+      if (i + 2 * kAhead < unitCount_) {
+        hwy::Prefetch(&mesh_.triangles[first_[i + 2 * kAhead]]);
+        for (const std::uint32_t vertex : mesh_.triangles[first_[i + kAhead]].vertex)
+          hwy::Prefetch(&positions[vertex]);
       }
-      const Vec c = cornerSum(positions, mesh_.triangles[units_[i].first]);
+      const Vec c = cornerSum(positions, mesh_.triangles[first_[i]]);
       sum[i] = c;
       if (i == 0) low = high = c;
       low = {std::min(low.x, c.x), std::min(low.y, c.y), std::min(low.z, c.z)};
@@ -113,9 +133,12 @@ class RunCutter {
       // Also of what is no number, as the sums of the largest have no differences.
       return static_cast<std::uint16_t>(std::min(Number{65535}, (x - from) * steps));
     };
-    for (std::size_t i = 0; i < units_.size(); ++i)
-      member_[i] = {{step(sum[i].x, low.x), step(sum[i].y, low.y), step(sum[i].z, low.z)},
-                    static_cast<std::uint16_t>(2 * i + (units_[i].count() - 1))};
+    ranges_ = {{{0, step(high.x, low.x)}, {0, step(high.y, low.y)}, {0, step(high.z, low.z)}}};
+    for (std::size_t i = 0; i < unitCount_; ++i) {
+      member_[i].centroid[0] = step(sum[i].x, low.x);
+      member_[i].centroid[1] = step(sum[i].y, low.y);
+      member_[i].centroid[2] = step(sum[i].z, low.z);
+    }
   }
 
   void cut(std::size_t begin, std::size_t end)
@@ -135,13 +158,9 @@ class RunCutter {
       cut(cutAt(slice), cutAt(slice + 1));
   }
 
-  struct Range {
-    std::uint16_t low, high;
-
-    int width() const { return high - low; }
-  };
   std::array<Range, 3> rangesOf(std::size_t begin, std::size_t end) const
   {
+    if (end - begin == unitCount_) return ranges_;
     std::array<Range, 3> ranges = {{{65535, 0}, {65535, 0}, {65535, 0}}};
     for (std::size_t i = begin; i < end; ++i)
       for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -196,7 +215,7 @@ class RunCutter {
     std::size_t triangleCount = triangleCount_;
     for (std::size_t i = begin; i < end; ++i) {
       const Member member = member_[i];
-      const std::uint32_t first = units_[member.number()].first;
+      const std::uint32_t first = first_[member.number()];
       const auto add = [&](std::uint32_t v, int k) {
         const int place = vertices_.findOrAdd(v, count);
         count += place == count ? 1 : 0;
@@ -235,9 +254,11 @@ class RunCutter {
   }
 
   const MeshView& mesh_;
-  Span<const TriangleUnit> units_;
   ClusterRun& run_;
   ClusterVertices vertices_;
+  std::size_t unitCount_ = 0;
+  std::array<Range, 3> ranges_ = {};  ///< of all units
+  std::uint32_t first_[kUnitsOfRun];  ///< triangle of each unit, in the run's order
   Member member_[kUnitsOfRun], old_[kUnitsOfRun];
   std::size_t vertexCount_ = 0;  ///< of the run's clusters so far
   std::uint32_t vertex_[3 * 2 * kUnitsOfRun];
@@ -248,11 +269,10 @@ class RunCutter {
 
 }  // namespace
 
-void cutRun(const MeshView& mesh, Span<const TriangleUnit> units, ClusterRun& run,
-            ClusteredMesh& clusters)
+void cutRun(const MeshView& mesh, ClusterRun& run, ClusteredMesh& clusters)
 {
   // Too large for a stack.
-  std::make_unique<RunCutter>(mesh, units, run, clusters)->cut();
+  std::make_unique<RunCutter>(mesh, run, clusters)->cut();
 }
 
 }  // namespace limn

@@ -14,16 +14,16 @@ namespace limn {
 
 inline constexpr std::size_t kUnitsOfRun = 1 << 11;  ///< of the curve, cut into clusters at once
 
-/// The clusters of one run of sorted triangles; vertices count from the run's start.
+/// One run of sorted triangles, and its clusters, of which vertices count from the run's start.
 struct ClusterRun {
-  std::size_t firstTriangle = 0;  ///< of the clusters
+  Span<const TriangleGroup> groups;  ///< at most kUnitsOfRun units
+  std::size_t firstTriangle = 0;     ///< of the clusters
   std::vector<Cluster> clusters;
   std::vector<std::uint32_t> vertex;  ///< of the mesh
 };
 
-/// Cuts at most kUnitsOfRun units into clusters that are about as wide as they are high. Fills the
-/// run, and the triangles and corners of `clusters` from run.firstTriangle on.
-void cutRun(const MeshView& mesh, Span<const TriangleUnit> units, ClusterRun& run,
-            ClusteredMesh& clusters);
+/// Cuts the run into clusters that are about as wide as they are high. Fills `run`, and the
+/// triangles and corners of `clusters` from run.firstTriangle on.
+void cutRun(const MeshView& mesh, ClusterRun& run, ClusteredMesh& clusters);
 
 }  // namespace limn

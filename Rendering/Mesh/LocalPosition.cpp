@@ -16,39 +16,44 @@ constexpr double kFarInBoxSizes = 16.0;
 
 /// In the numbers' own precision.
 template <class Vec>
-Box finiteBoxOf(const Vec* position, std::size_t count)
+FiniteBox finiteBoxOf(const Vec* position, std::size_t count)
 {
   constexpr auto kInfinity = std::numeric_limits<decltype(Vec::x)>::infinity();
   Vec low = {kInfinity, kInfinity, kInfinity}, high = -low;
+  bool holdsAll = true;
   for (std::size_t v = 0; v < count; ++v) {
     const Vec p = position[v];
-    if (!isFinite(p)) continue;
+    if (!isFinite(p)) {
+      holdsAll = false;
+      continue;
+    }
     low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
     high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
   }
-  if (low.x > high.x) return {};
-  return {vec3Cast<double>(low), vec3Cast<double>(high)};
+  if (low.x > high.x) return {{}, holdsAll};
+  return {{vec3Cast<double>(low), vec3Cast<double>(high)}, holdsAll};
 }
 
 }  // namespace
 
-Box finiteBox(const MeshView& mesh, int threads)
+FiniteBox finiteBox(const MeshView& mesh, int threads)
 {
   constexpr std::size_t kChunk = 1 << 18;
   const std::size_t count = mesh.vertexCount();
-  std::vector<Box> boxes((count + kChunk - 1) / kChunk);
+  std::vector<FiniteBox> boxes((count + kChunk - 1) / kChunk);
   parallelFor(threads, boxes.size(), [&](std::size_t chunk) {
     const std::size_t first = chunk * kChunk, vertices = std::min(count - first, kChunk);
     boxes[chunk] = mesh.positions.empty()
                        ? finiteBoxOf(mesh.precisePositions.data() + first, vertices)
                        : finiteBoxOf(mesh.positions.data() + first, vertices);
   });
-  Box all;
-  for (const Box& box : boxes)
-    if (!box.empty()) {
-      all.add(box.low);
-      all.add(box.high);
-    }
+  FiniteBox all;
+  for (const FiniteBox& box : boxes) {
+    all.holdsAll = all.holdsAll && box.holdsAll;
+    if (box.empty()) continue;
+    all.add(box.low);
+    all.add(box.high);
+  }
   return all;
 }
 

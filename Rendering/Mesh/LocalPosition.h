@@ -49,8 +49,13 @@ struct Box {
   }
 };
 
+/// Box of the finite vertices among some.
+struct FiniteBox : Box {
+  bool holdsAll = true;  ///< whether there are no others
+};
+
 /// Box of all finite vertices, used by a triangle or not; on at most `threads` threads (0: all).
-Box finiteBox(const MeshView& mesh, int threads = 1);
+FiniteBox finiteBox(const MeshView& mesh, int threads = 1);
 
 /// The origin of a mesh's local coordinates: zero, unless the box lies so far out that a float
 /// would lose bits of its features; then the box's centre.

@@ -19,7 +19,8 @@ constexpr std::size_t kChunk = 1 << 18;  // triangles per task
 constexpr int kMortonBitsPerAxis = 7;    // finer order is the cluster builder's task
 constexpr int kDigitBits = 11;
 constexpr std::size_t kDigits = 1 << kDigitBits;
-static_assert(3 * kMortonBitsPerAxis < 2 * kDigitBits, "two passes sort the codes");
+static_assert(3 * kMortonBitsPerAxis <= 2 * kDigitBits, "two passes sort the codes");
+static_assert(3 * kMortonBitsPerAxis + TriangleGroup::kShapeBits <= 32, "a code must fit");
 
 constexpr std::size_t kCellsPerAxis = 1 << kMortonBitsPerAxis;
 constexpr double kModest = 1e30;  ///< far from what a float cannot hold
@@ -57,24 +58,13 @@ bool areModest(const MeshView& mesh, const Triangle& triangle)
   return (size(a) + size(b)) + size(c) < kModest;
 }
 
-/// The same of all vertices.
-template <class Vec>
-bool areModest(Span<const Vec> positions, int threads)
+/// The same of all vertices, of which this is the box.
+bool areModest(const FiniteBox& box)
 {
-  using Number = decltype(Vec::x);
-  constexpr std::size_t kVertices = 1 << 16;
-  std::atomic<bool> all = true;
-  parallelFor(threads, (positions.size() + kVertices - 1) / kVertices, [&](std::size_t chunk) {
-    int immodest = 0;
-    for (std::size_t v = chunk * kVertices; v < std::min(positions.size(), (chunk + 1) * kVertices);
-         ++v) {
-      const Vec p = positions[v];
-      const Number size = (std::fabs(p.x) + std::fabs(p.y)) + std::fabs(p.z);
-      immodest += size < static_cast<Number>(kModest) ? 0 : 1;
-    }
-    if (immodest > 0) all = false;
-  });
-  return all;
+  const auto isModest = [](Vec3d p) {
+    return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) < kModest;
+  };
+  return box.holdsAll && isModest(box.low) && isModest(box.high);
 }
 
 Fault faultOf(const MeshView& mesh, const Triangle& triangle, Vec3d origin, bool isModest)
@@ -146,85 +136,111 @@ bool shareAnEdge(const Triangle& a, const Triangle& b)
   return common >= 2;
 }
 
-/// Units in chunks: chunk c's are the first count[c] from c * kChunk on.
-struct Chunks {
-  Array<TriangleUnit> units;
-  std::vector<std::size_t> count;
+/// Puts units that come in the order of the mesh into groups.
+class GroupMaker {
+ public:
+  explicit GroupMaker(Array<TriangleGroup>& groups) : groups_(groups) {}
+
+  /// The unit has `triangles` from `first` on, which begin in the cell of `code`.
+  void add(std::uint32_t first, std::uint32_t triangles, std::uint32_t code)
+  {
+    if (units_ == TriangleGroup::kMaxUnits || code != code_ || first != end_) {
+      finish();
+      code_ = code;
+      first_ = first;
+    }
+    pairs_ |= (triangles - 1) << units_;
+    ++units_;
+    end_ = first + triangles;
+  }
+  void finish()
+  {
+    if (units_ == 0) return;
+    groups_.push_back(
+        {(code_ << TriangleGroup::kUnitsBits | (units_ - 1)) << TriangleGroup::kMaxUnits | pairs_,
+         first_});
+    units_ = 0;
+    pairs_ = 0;
+  }
+
+ private:
+  Array<TriangleGroup>& groups_;
+  std::uint32_t units_ = 0, pairs_ = 0;  ///< of the group that is being filled
+  std::uint32_t code_ = 0, first_ = 0, end_ = 0;
 };
 
-/// One pass of a stable radix sort, by the digit that begins at `bit`.
-void sortByDigit(const Chunks& from, int bit, int threads, Array<TriangleUnit>& to)
+using Groups = Span<const TriangleGroup>;
+
+/// One pass of a stable radix sort of all parts, one after the other, by the digit that begins at
+/// `bit` of the code.
+void sortByDigit(Span<const Groups> parts, int bit, int threads, TriangleGroup* to)
 {
-  const std::size_t chunks = from.count.size();
-  const auto digit = [&](const TriangleUnit& unit) { return unit.code >> bit & (kDigits - 1); };
-  std::vector<std::array<std::uint32_t, kDigits>> next(chunks);
-  const auto forEachOf = [&](std::size_t chunk, auto visit) {
-    for (std::size_t i = 0; i < from.count[chunk]; ++i)
-      visit(from.units[chunk * kChunk + i]);
+  const auto digit = [&](const TriangleGroup& group) {
+    return group.bits >> (TriangleGroup::kShapeBits + bit) & (kDigits - 1);
   };
-  parallelFor(threads, chunks, [&](std::size_t chunk) {
-    next[chunk].fill(0);
-    forEachOf(chunk, [&](const TriangleUnit& unit) { ++next[chunk][digit(unit)]; });
+  std::vector<std::array<std::uint32_t, kDigits>> next(parts.size());
+  parallelFor(threads, parts.size(), [&](std::size_t part) {
+    next[part].fill(0);
+    for (const TriangleGroup& group : parts[part])
+      ++next[part][digit(group)];
   });
   std::uint32_t place = 0;
   for (std::size_t d = 0; d < kDigits; ++d)
     for (auto& counts : next)
       place += std::exchange(counts[d], place);
-  parallelFor(threads, chunks, [&](std::size_t chunk) {
-    forEachOf(chunk, [&](const TriangleUnit& unit) { to[next[chunk][digit(unit)]++] = unit; });
+  parallelFor(threads, parts.size(), [&](std::size_t part) {
+    for (const TriangleGroup& group : parts[part])
+      to[next[part][digit(group)]++] = group;
   });
 }
 
 }  // namespace
 
-SortedTriangles sortTriangles(const MeshView& mesh, const Box& box, Vec3d origin, int threads)
+SortedTriangles sortTriangles(const MeshView& mesh, const FiniteBox& box, Vec3d origin, int threads)
 {
   const std::size_t triangles = mesh.triangles.size();
   const std::size_t chunks = (triangles + kChunk - 1) / kChunk;
   const MortonGrid grid(box);
-  Chunks unsorted;
-  unsorted.units.resize(triangles);
-  unsorted.count.resize(chunks);
   const bool isFloat = !mesh.positions.empty();
-  const bool isModest =
-      isFloat ? areModest(mesh.positions, threads) : areModest(mesh.precisePositions, threads);
+  const bool isModest = areModest(box);
+  std::vector<Array<TriangleGroup>> unsorted(chunks);
   std::atomic<std::size_t> outOfRange = 0, notFinite = 0;
   parallelFor(threads, chunks, [&](std::size_t chunk) {
-    TriangleUnit* const begin = unsorted.units.data() + chunk * kChunk;
-    TriangleUnit* next = begin;
-    bool mayGrow = false;  // the last unit has one triangle, the one before this
-    for (std::size_t t = chunk * kChunk; t < std::min(triangles, (chunk + 1) * kChunk); ++t) {
+    GroupMaker maker(unsorted[chunk]);
+    const std::size_t end = std::min(triangles, (chunk + 1) * kChunk);
+    for (std::size_t t = chunk * kChunk; t < end;) {
       const Triangle& triangle = mesh.triangles[t];
       const Fault fault = faultOf(mesh, triangle, origin, isModest);
       if (fault != Fault::kNone) {
         ++(fault == Fault::kOutOfRange ? outOfRange : notFinite);
-        mayGrow = false;
-      } else if (mayGrow && shareAnEdge(mesh.triangles[t - 1], triangle)) {
-        next[-1].code |= TriangleUnit::kPair;
-        mayGrow = false;
-      } else {
-        const std::uint32_t vertex = triangle.vertex[0];
-        *next++ = {isFloat ? grid.code(mesh.positions[vertex]) : grid.code(mesh.position(vertex)),
-                   static_cast<std::uint32_t>(t)};
-        mayGrow = true;
+        ++t;
+        continue;
       }
+      const bool isPair = t + 1 < end && shareAnEdge(triangle, mesh.triangles[t + 1]) &&
+                          faultOf(mesh, mesh.triangles[t + 1], origin, isModest) == Fault::kNone;
+      const std::uint32_t unitTriangles = isPair ? 2 : 1, vertex = triangle.vertex[0];
+      maker.add(static_cast<std::uint32_t>(t), unitTriangles,
+                isFloat ? grid.code(mesh.positions[vertex]) : grid.code(mesh.position(vertex)));
+      t += unitTriangles;
     }
-    unsorted.count[chunk] = static_cast<std::size_t>(next - begin);
+    maker.finish();
   });
 
   SortedTriangles sorted;
   sorted.outOfRange = outOfRange;
   sorted.notFinite = notFinite;
+  const std::vector<Groups> parts(unsorted.begin(), unsorted.end());
   const std::size_t count =
-      std::accumulate(unsorted.count.begin(), unsorted.count.end(), std::size_t{0});
-  Chunks half;
-  half.units.resize(count);
+      std::accumulate(parts.begin(), parts.end(), std::size_t{0},
+                      [](std::size_t sum, Groups part) { return sum + part.size(); });
+  Array<TriangleGroup> half(count);
+  sortByDigit(parts, 0, threads, half.data());
+  unsorted.clear();
+  std::vector<Groups> halfParts;
   for (std::size_t first = 0; first < count; first += kChunk)
-    half.count.push_back(std::min(kChunk, count - first));
-  sortByDigit(unsorted, 0, threads, half.units);
-  sorted.units = std::move(unsorted.units);
-  sorted.units.resize(count);
-  sortByDigit(half, kDigitBits, threads, sorted.units);
+    halfParts.push_back({half.data() + first, std::min(kChunk, count - first)});
+  sorted.groups.resize(count);
+  sortByDigit(halfParts, kDigitBits, threads, sorted.groups.data());
   return sorted;
 }
 

@@ -90,6 +90,34 @@ TEST(BuildClusters, HoldEachTriangleOfSoupOnce)
   expectEachTriangleOnce(soup);
 }
 
+TEST(BuildClusters, HoldEachTriangleOnceOfStripsMetByOthers)
+{
+  // All but the last vertices lie in one cell of the curve: quadrilaterals, of which some lack
+  // their second half, and triangles that cannot be drawn, in every order.
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  Mesh strip;
+  std::vector<int> expected;
+  const auto add = [&](Triangle triangle, int times) {
+    strip.triangles.push_back(triangle);
+    expected.push_back(times);
+  };
+  std::uint32_t random = 1;
+  for (std::uint32_t i = 0; i < 3000; ++i) {
+    const float x = 1e-3f * static_cast<float>(i);
+    strip.positions.push_back({x, 0, 0});
+    strip.positions.push_back({x, 1e-3f, 0});
+    random = random * 1664525u + 1013904223u;
+    const std::uint32_t kind = random >> 29;
+    add({{2 * i, 2 * i + 2, 2 * i + 1}}, 1);
+    if (kind == 0) add({{0, 6002, 1}}, 0);
+    if (kind != 1) add({{2 * i + 1, 2 * i + 2, 2 * i + 3}}, 1);
+    if (kind == 2) add({{0, 9000, 1}}, 0);
+  }
+  strip.positions.insert(strip.positions.end(),
+                         {{3, 0, 0}, {3, 1e-3f, 0}, {0, kInfinity, 0}, {1000, 1000, 1000}});
+  EXPECT_EQ(checkedTriangleCounts(strip, clustersOf(strip)), expected);
+}
+
 TEST(BuildClusters, KeepDegenerateTriangles)
 {
   expectEachTriangleOnce({{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, {}, {{{0, 1, 2}}, {{1, 1, 1}}}});
