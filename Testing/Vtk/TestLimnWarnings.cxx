@@ -170,6 +170,55 @@ void checkFlattenedMeshes()
   }
 }
 
+// Outlines by image and depth cues are of opaque surfaces.
+void checkTranslucentIllustration()
+{
+  const struct
+  {
+    const char* message;
+    void (*ask)(vtkLimnProperty*);
+  } cases[] = {
+    { "Its outline by image is not drawn: only opaque surfaces have one, and this actor is "
+      "translucent. Use SetOutlineToHull() or ContourLinesOn(), or make the actor opaque.",
+      [](vtkLimnProperty* property) { property->SetOutlineToImage(); } },
+    { "Its eye-dome lighting is not drawn",
+      [](vtkLimnProperty* property) { property->EyeDomeLightingOn(); } },
+    { "Its depth unsharp mask is not drawn",
+      [](vtkLimnProperty* property) { property->SetDepthUnsharpToBoth(); } },
+    { "Its halo is not drawn", [](vtkLimnProperty* property) { property->SetHaloWidth(3); } },
+  };
+  for (const auto& one : cases)
+  {
+    Stage stage;
+    stage.LookFlat();
+    stage.Mapper->SetInputData(twoSquares());
+    vtkLimnProperty* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+    one.ask(property);
+    Messages messages;
+    render(stage.Window);
+    CHECK_EQUAL(messages.GetText(), "");
+    property->SetOpacity(0.5);
+    CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 800);
+    stage.Renderer->GetActiveCamera()->Modified();
+    render(stage.Window);
+    CHECK_EQUAL(messages.Count(one.message), 1);
+    CHECK_EQUAL(messages.Count("WARN") + messages.Count("Warning"), 1);
+
+    // Whoever asks again, or is another actor, hears of it again.
+    property->SetOpacity(1);
+    render(stage.Window);
+    property->SetOpacity(0.5);
+    render(stage.Window);
+    CHECK_EQUAL(messages.Count(one.message), 2);
+    vtkNew<vtkLimnActor> other;
+    other->SetMapper(stage.Mapper);
+    other->SetProperty(property);
+    stage.Renderer->AddActor(other);
+    render(stage.Window);
+    CHECK_EQUAL(messages.Count(one.message), 3);
+  }
+}
+
 // vtkCamera keeps a distance, and floats overflow, where nothing else is at fault.
 void checkSizes()
 {
@@ -400,6 +449,7 @@ int TestLimnWarnings(int, char*[])
   checkOtherProps();
   checkBrokenMeshes();
   checkFlattenedMeshes();
+  checkTranslucentIllustration();
   checkSizes();
   checkBrokenActor();
   checkBrokenProperty();

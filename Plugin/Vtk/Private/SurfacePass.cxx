@@ -396,6 +396,13 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   {
     drawUnlit(drawables.instances);
   }
+  for (std::size_t i = 0; i < drawables.actors.size(); ++i)
+  {
+    if (!drawables.instances[i].hull)
+    {
+      opaqueOnly_.look(drawables.actors[i], drawables.instances[i]);
+    }
+  }
   if (vtkLimnRenderWindow* const target = this->window(); target && target->GetMaps())
   {
     for (std::size_t i = 0; i < drawables.actors.size(); ++i)

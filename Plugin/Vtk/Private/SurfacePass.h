@@ -3,6 +3,7 @@
 #ifndef SurfacePass_h
 #define SurfacePass_h
 
+#include "OpaqueOnly.h"
 #include "SceneLines.h"
 #include "Surface.h"
 #include "ViewportEffects.h"
@@ -100,6 +101,7 @@ private:
   SceneLines sceneLines_;
   ViewportEffects effects_;
   bool hasWarnedOfTruncation_ = false;
+  OpaqueOnly opaqueOnly_;
 
   /// The layer for windows of other backends.
   Array<Rgba8> layerColor_;
