@@ -170,6 +170,38 @@ void checkFlattenedMeshes()
   }
 }
 
+// Of faces along a line there are borders to draw, of faces in two points there are none.
+void checkLinesOfFlattenedMeshes()
+{
+  for (const double last : { 50, 30 })
+  {
+    Stage stage;
+    stage.LookFlat();
+    vtkNew<vtkPolyData> data;
+    data->SetPoints(flatPoints({ { 10, 10 }, { 30, 10 }, { last, 10 } }));
+    vtkNew<vtkCellArray> polys;
+    addCell(polys, { 0, 1, 2 });
+    data->SetPolys(polys);
+    stage.Mapper->SetInputData(data);
+    vtkLimnProperty* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+    property->BorderLinesOn();
+    property->SetStrokeColor(1, 1, 1);
+    Messages messages;
+    const bool isDrawn = render(stage.Window).CountOtherThan(Black) > 0;
+    CHECK_EQUAL(isDrawn, last == 50);
+    stage.Renderer->GetActiveCamera()->Zoom(0.9);
+    render(stage.Window);
+    CHECK_EQUAL(messages.Count("Only lines of the input are drawn."), isDrawn ? 1 : 0);
+    CHECK_EQUAL(messages.Count("Nothing of the input is drawn."), isDrawn ? 0 : 1);
+    CHECK_EQUAL(messages.Count("None of its faces has an area"), 1);
+
+    messages.Forget();
+    property->BorderLinesOff();
+    CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 0);
+    CHECK_EQUAL(messages.Count("Nothing of the input is drawn."), isDrawn ? 1 : 0);
+  }
+}
+
 // Outlines by image and depth cues are of opaque surfaces.
 void checkTranslucentIllustration()
 {
@@ -449,6 +481,7 @@ int TestLimnWarnings(int, char*[])
   checkOtherProps();
   checkBrokenMeshes();
   checkFlattenedMeshes();
+  checkLinesOfFlattenedMeshes();
   checkTranslucentIllustration();
   checkSizes();
   checkBrokenActor();

@@ -13,6 +13,8 @@
 
 #include "vtkLimnPolyDataMapper.h"
 
+#include <array>
+
 class vtkLimnPolyDataMapper::vtkInternals
 {
 public:
@@ -24,6 +26,13 @@ public:
   limn::bridge::KnownInput Input;
   limn::bridge::MapperTextures Textures;
   vtkIdType LookedAtBuild = 0; ///< of which geometry what was left out was said
+  /// Of a geometry whose faces have no area: whether it was said of actors without lines and of
+  /// those with some.
+  struct
+  {
+    vtkIdType Build = 0;
+    std::array<bool, 2> IsSaid = {};
+  } Flatness;
 };
 
 #endif

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace limn::bridge
 {
@@ -248,6 +249,7 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
   complainOnce(surface.mapper);
   if (mesh.isEmpty())
   {
+    complainOfFlatness(surface, {});
     return false;
   }
   instance.modelToWorld = surface.modelToWorld;
@@ -295,6 +297,28 @@ bool describeLines(
     vtkErrorWithObjectMacro(surface.mapper, "Its lines are not drawn: " << status.message);
   }
   return status.ok();
+}
+
+void complainOfFlatness(const Surface& surface, Span<const LineSet> lines)
+{
+  vtkLimnPolyDataMapper::vtkInternals& internals = surface.mapper->GetInternals();
+  if (!internals.Mesh.isFlattened())
+  {
+    return;
+  }
+  auto& said = internals.Flatness;
+  if (said.Build != internals.Mesh.geometryBuilds())
+  {
+    said = { internals.Mesh.geometryBuilds(), {} };
+  }
+  const bool hasLines = std::any_of(
+    lines.begin(), lines.end(), [](const LineSet& set) { return set.chainCount() > 0; });
+  if (!std::exchange(said.IsSaid[hasLines ? 1 : 0], true))
+  {
+    vtkWarningWithObjectMacro(surface.mapper,
+      << (hasLines ? "Only lines of the input are drawn." : "Nothing of the input is drawn.")
+      << " None of its faces has an area: the corners of each lie on a line or in a point.");
+  }
 }
 
 bool describeHull(const Surface& surface, Instance& hull)

@@ -65,6 +65,10 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
 bool describeLines(
   const Surface& surface, const LineView& view, Instance& instance, FrameLines& lines);
 
+/// Says, once, if no face of the surface has an area: that nothing is drawn of it, or only the
+/// instance's `lines`.
+void complainOfFlatness(const Surface& surface, Span<const LineSet> lines);
+
 /// The inverted hull of the surface as an instance of its own, borrowing from the mapper. False if
 /// its property asks for none.
 /// Requires: describe() of the surface was the last of its mapper.

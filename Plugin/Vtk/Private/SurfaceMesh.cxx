@@ -394,10 +394,6 @@ std::string SurfaceMesh::complaint() const
   {
     text << " " << surface_.malformedCells << " cells reach beyond the cell array.";
   }
-  if (isFlattened_ && text.str().empty())
-  {
-    text << " None of its faces has an area: the corners of each lie on a line or in a point.";
-  }
   return text.str();
 }
 

@@ -86,6 +86,8 @@ public:
 
   /// What had to be left out of the last geometry built, in words; empty if nothing.
   std::string complaint() const;
+  /// Whether nothing had to be left out, and yet no face of the last geometry built has an area.
+  bool isFlattened() const { return this->isFlattened_ && this->complaint().empty(); }
 
 private:
   /// What the triangles are made of, points apart.

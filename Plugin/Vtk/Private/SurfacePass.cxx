@@ -187,6 +187,10 @@ Drawables describeAll(
   {
     describeSceneLines(described, view, sceneLines, drawables);
   }
+  for (std::size_t i = 0; i < described.size(); ++i)
+  {
+    complainOfFlatness(*described[i], drawables.instances[i].lines);
+  }
   hulls.appendTo(drawables);
   return drawables;
 }
