@@ -6,6 +6,7 @@
 #include "ApplyTextures.h"
 #include "ColorByArray.h"
 #include "FitCamera.h"
+#include "Lengths.h"
 #include "UserError.h"
 
 #include "vtkLimnActor.h"
@@ -296,12 +297,15 @@ int creaseDetectorOf(CreaseDetector detector)
   return vtkLimnProperty::CREASES_BY_ANGLE;
 }
 
-void setOutline(const MaterialSettings& material, vtkLimnProperty& property)
+void setOutline(const SceneSettings& settings, vtkLimnProperty& property)
 {
-  const bool isVisible = material.outlineWidth.value_or(1) > 0;
+  const MaterialSettings& material = settings.material;
+  const double usual = 0; // what the outline has of itself
+  const double width = material.outlineWidth ? pixelsOf(*material.outlineWidth, settings) : usual;
+  const bool isVisible = width > 0 || !material.outlineWidth;
   property.SetOutline(outlineOf(isVisible ? material.outline : Outline::None));
   property.SetOutlineColor(material.outlineColor.value_or(Color{ 0, 0, 0 }).data());
-  property.SetOutlineWidth(material.outlineWidth.value_or(0));
+  property.SetOutlineWidth(width);
   property.SetOutlineOpacity(material.outlineOpacity.value_or(1));
   property.SetOutlineDetector(
     outlineDetectorOf(material.outlineDetector.value_or(Detector::Plane)));
@@ -318,8 +322,9 @@ void setOutline(const MaterialSettings& material, vtkLimnProperty& property)
   property.SetOutlineIds(material.outlineIds);
 }
 
-void setIllustration(const MaterialSettings& material, vtkLimnProperty& property)
+void setIllustration(const SceneSettings& settings, vtkLimnProperty& property)
 {
+  const MaterialSettings& material = settings.material;
   setConstants(material, property);
   property.SetTone(toneOf(material.tone));
   setToneOverData(material, property);
@@ -340,7 +345,7 @@ void setIllustration(const MaterialSettings& material, vtkLimnProperty& property
     property.SetWarmColor(material.warm->data());
     property.SetWarmSurface(0);
   }
-  setOutline(material, property);
+  setOutline(settings, property);
 }
 
 void setRectangle(const LightSettings& settings, vtkLimnLight& light)
@@ -445,8 +450,24 @@ int hiddenLinesOf(HiddenLines hidden)
   return vtkLimnProperty::HIDDEN_LINES_OFF;
 }
 
-void applyLines(const LineSettings& lines, vtkLimnProperty& property)
+/// As far as they are given.
+void applyDash(const SceneSettings& settings, vtkLimnProperty& property)
 {
+  const LineSettings& lines = settings.lines;
+  if (lines.taper)
+  {
+    property.SetStrokeTaper(pixelsOf(*lines.taper, settings));
+  }
+  if (lines.dash)
+  {
+    property.SetStrokeDash(pixelsOf((*lines.dash)[0], settings));
+    property.SetStrokeGap(pixelsOf((*lines.dash)[1], settings));
+  }
+}
+
+void applyLines(const SceneSettings& settings, vtkLimnProperty& property)
+{
+  const LineSettings& lines = settings.lines;
   setLineKinds(lines.kinds, property);
   property.SetHiddenLines(hiddenLinesOf(lines.hidden.value_or(HiddenLines::Off)));
   property.SetIdArrayName(lines.idArray ? lines.idArray->c_str() : nullptr);
@@ -460,23 +481,24 @@ void applyLines(const LineSettings& lines, vtkLimnProperty& property)
   property.SetLineLights(lines.lights.value_or(LineLights::First) == LineLights::All
                            ? vtkLimnProperty::LINE_LIGHTS_ALL
                            : vtkLimnProperty::LINE_LIGHTS_FIRST);
-  const StrokeWidth width = lines.width.value_or(kUsualStroke);
+  const Length width = lines.width.value_or(kUsualStroke);
   property.SetStrokeWidth(width.value);
   property.SetStrokeUnit(width.unit);
   property.SetOuterWidthFactor(lines.outerWidth.value_or(1));
   property.SetHatchWidth(lines.hatchWidth.value_or(property.GetHatchWidth()));
   property.SetStrokeColor(lines.color.value_or(Color{ 0, 0, 0 }).data());
   property.SetStrokeOpacity(lines.opacity.value_or(1));
-  property.SetStrokeTaper(lines.taper.value_or(0));
-  const std::array<double, 2> dash = lines.dash.value_or(std::array<double, 2>{ 0, 0 });
-  property.SetStrokeDash(dash[0]);
-  property.SetStrokeGap(dash[1]);
+  property.SetStrokeTaper(0);
+  property.SetStrokeDash(0);
+  property.SetStrokeGap(0);
+  applyDash(settings, property);
 }
 
-void applyMaterial(const MaterialSettings& material, vtkLimnProperty& property)
+void applyMaterial(const SceneSettings& settings, vtkLimnProperty& property)
 {
+  const MaterialSettings& material = settings.material;
   setReflectance(material, property);
-  setIllustration(material, property);
+  setIllustration(settings, property);
   setShading(material, property);
   setReflection(material, property);
   property.SetBackfaceCulling(material.backfaceCulling);
@@ -510,7 +532,7 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
     property.SetStrokeWidth(lines.width->value);
     property.SetStrokeUnit(lines.width->unit);
   }
-  const std::optional<StrokeWidth>& spacing = settings.material.hatchSpacing;
+  const std::optional<Length>& spacing = settings.material.hatchSpacing;
   if (spacing)
   {
     property.SetHatchSpacing(spacing->value);
@@ -520,15 +542,10 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
   property.SetHatchWidth(lines.hatchWidth.value_or(property.GetHatchWidth()));
   property.SetOuterWidthFactor(lines.outerWidth.value_or(property.GetOuterWidthFactor()));
   property.SetStrokeOpacity(lines.opacity.value_or(property.GetStrokeOpacity()));
-  property.SetStrokeTaper(lines.taper.value_or(property.GetStrokeTaper()));
+  applyDash(settings, property);
   if (lines.color)
   {
     property.SetStrokeColor(lines.color->data());
-  }
-  if (lines.dash)
-  {
-    property.SetStrokeDash((*lines.dash)[0]);
-    property.SetStrokeGap((*lines.dash)[1]);
   }
   if (lines.hidden)
   {
@@ -616,10 +633,10 @@ Subject subjectOf(const std::vector<Mesh>& meshes)
 void applyLook(const SceneSettings& settings, const Mesh& mesh, const TonePictures& pictures,
   vtkLimnProperty& property)
 {
-  applyMaterial(settings.material, property);
+  applyMaterial(settings, property);
   property.SetToonRamp(pictures.ramp.Get());
   property.SetMatCap(pictures.matCap.Get());
-  applyLines(settings.lines, property);
+  applyLines(settings, property);
   applyStyle(settings, mesh, property);
   applyCues(settings.cues, backgroundOf(settings), property);
 }

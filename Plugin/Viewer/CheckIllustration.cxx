@@ -3,6 +3,7 @@
 #include "CheckIllustration.h"
 
 #include "CheckLines.h"
+#include "Lengths.h"
 #include "RenderSettings.h"
 #include "UserError.h"
 
@@ -99,14 +100,19 @@ void checkExaggeration(const MaterialSettings& material)
     "--tone=exaggerated");
 }
 
-void checkOutline(const MaterialSettings& material)
+void checkOutline(const SceneSettings& scene)
 {
+  const MaterialSettings& material = scene.material;
   if (material.outline == Outline::None)
   {
     refuseGiven({ { "--outline-color", material.outlineColor.has_value() },
                   { "--outline-width", material.outlineWidth.has_value() },
                   { "--outline-opacity", material.outlineOpacity.has_value() } },
       "--outline=normal, hull or image");
+  }
+  if (material.outlineWidth)
+  {
+    requireAtMost("--outline-width", *material.outlineWidth, kMaxOutlinePixels, scene);
   }
   if (material.outline == Outline::Image && material.opacity < 1)
   {
@@ -244,7 +250,7 @@ void checkIllustration(const SceneSettings& scene)
     throw UserError("--tone-light needs --tone=gooch, hatching or exaggerated, --toon-ramp=FILE or "
                     "--lines=hatch");
   }
-  checkOutline(material);
+  checkOutline(scene);
 }
 
 } // namespace limn::viewer

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CheckLines.h"
 
+#include "Lengths.h"
 #include "RenderSettings.h"
 #include "UserError.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -22,19 +25,6 @@ bool hasPlacedLight(const SceneSettings& scene)
     [](const LightSettings& light) { return light.kind != LightKind::Headlight; });
 }
 
-/// In points or millimetres: those in pixels are checked as they are read.
-void checkStrokeWidth(const StrokeWidth& width, double pixelsPerInch)
-{
-  const double pixels = pixelsOf(width, pixelsPerInch);
-  if (width.unit != 0 && pixels > kMaxStrokePixels)
-  {
-    std::ostringstream text;
-    text << "--stroke-width is " << pixels << " pixels at " << pixelsPerInch
-         << " dpi; lines are at most " << kMaxStrokePixels << " wide";
-    throw UserError(text.str());
-  }
-}
-
 void checkHatchWidth(const SceneSettings& scene)
 {
   const LineSettings& lines = scene.lines;
@@ -46,8 +36,7 @@ void checkHatchWidth(const SceneSettings& scene)
   {
     throw UserError("--hatch-width needs --lines=hatch, --style=ink or --style=pencil");
   }
-  const double stroke =
-    pixelsOf(lines.width.value_or(kUsualStroke), scene.pixelsPerInch.value_or(72));
+  const double stroke = pixelsOf(lines.width.value_or(kUsualStroke), scene);
   if (stroke * *lines.hatchWidth > kMaxStrokePixels)
   {
     std::ostringstream text;
@@ -57,13 +46,27 @@ void checkHatchWidth(const SceneSettings& scene)
   }
 }
 
-} // namespace
-
-double pixelsOf(const StrokeWidth& width, double pixelsPerInch)
+void checkDash(const std::array<Length, 2>& dash, const SceneSettings& scene)
 {
-  const double unitsPerInch[] = { pixelsPerInch, 72, 25.4 }; // in the order of StrokeUnits
-  return width.value * pixelsPerInch / unitsPerInch[width.unit];
+  if (pixelsOf(dash[0], scene) + pixelsOf(dash[1], scene) < 0.5)
+  {
+    throw UserError("--stroke-dash: dash and gap have to be half a pixel together");
+  }
 }
+
+/// Whether a length depends on the pixels an inch.
+bool hasUnits(const SceneSettings& scene)
+{
+  const LineSettings& lines = scene.lines;
+  const std::optional<Length> lengths[] = { lines.width, lines.taper, scene.material.hatchSpacing,
+    scene.material.outlineWidth, scene.cues.halo };
+  const auto hasUnit = [](const std::optional<Length>& length)
+  { return length && length->unit != 0; };
+  return std::any_of(std::begin(lengths), std::end(lengths), hasUnit) ||
+         (lines.dash && std::any_of(lines.dash->begin(), lines.dash->end(), hasUnit));
+}
+
+} // namespace
 
 bool hasHatchLines(const SceneSettings& scene)
 {
@@ -119,16 +122,16 @@ void checkLines(const SceneSettings& scene)
   }
   if (lines.width)
   {
-    checkStrokeWidth(*lines.width, scene.pixelsPerInch.value_or(72));
+    requireAtMost("--stroke-width", *lines.width, kMaxStrokePixels, scene);
   }
   checkHatchWidth(scene);
-  const auto hasUnit = [](const std::optional<StrokeWidth>& width)
-  { return width && width->unit != 0; };
-  if (scene.pixelsPerInch && !hasUnit(lines.width) && !hasUnit(scene.material.hatchSpacing) &&
-      !hasUnit(scene.cues.halo) && scene.style != "print")
+  if (lines.dash)
   {
-    throw UserError(
-      "--dpi needs --stroke-width, --hatch-spacing or --halo in pt or mm, or --style=print");
+    checkDash(*lines.dash, scene);
+  }
+  if (scene.pixelsPerInch && !hasUnits(scene) && scene.style != "print")
+  {
+    throw UserError("--dpi needs a length in pt or mm, as in --stroke-width=1pt, or --style=print");
   }
 }
 

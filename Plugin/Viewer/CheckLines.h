@@ -7,9 +7,6 @@ namespace limn::viewer
 {
 
 struct SceneSettings;
-struct StrokeWidth;
-
-double pixelsOf(const StrokeWidth& width, double pixelsPerInch);
 
 /// Throws UserError for an option of lines that the picture would not show, and for lines that are
 /// too wide.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CueOptions.h"
 
-#include "CheckLines.h" // for pixelsOf
+#include "Lengths.h"
 #include "ParseValue.h"
 #include "UserError.h"
 
@@ -39,29 +39,6 @@ OptionList::Reader upTo(Target& target, double most, const char* words, bool isZ
   };
 }
 
-StrokeWidth parseHalo(Text option, Text text)
-{
-  const StrokeWidth width = parseStrokeWidth(option, text);
-  if (width.unit == 0 && width.value > kMaxHaloPixels)
-  {
-    throw UserError(option + "=" + text + " is wider than 64 pixels");
-  }
-  return width;
-}
-
-/// In points or millimetres: those in pixels are checked as they are read.
-void checkHaloWidth(const StrokeWidth& width, double pixelsPerInch)
-{
-  const double pixels = pixelsOf(width, pixelsPerInch);
-  if (width.unit != 0 && pixels > kMaxHaloPixels)
-  {
-    std::ostringstream text;
-    text << "--halo is " << pixels << " pixels at " << pixelsPerInch << " dpi; halos are at most "
-         << kMaxHaloPixels << " wide";
-    throw UserError(text.str());
-  }
-}
-
 } // namespace
 
 void addCueOptions(OptionList& options, CueSettings& cues)
@@ -84,7 +61,7 @@ void addCueOptions(OptionList& options, CueSettings& cues)
     upTo(cues.unsharpRadius, 0.1, "above 0, at most 0.1", false));
   options.add("--halo", "width",
     "a gap in what lies behind a border: as 3, 3px, 2pt or\n0.7mm; up to 64 pixels (none)",
-    [&cues](Text option, Text text) { cues.halo = parseHalo(option, text); });
+    [&cues](Text option, Text text) { cues.halo = parseWidth(option, text, kMaxHaloPixels); });
   options.add("--halo-depth", "widths",
     "how far behind is the gap as wide as that; narrower\nwhere it is less (4)",
     [&cues](Text option, Text text) { cues.haloDepth = parsePositive(option, text); });
@@ -129,7 +106,7 @@ void checkCues(const SceneSettings& scene)
   }
   if (cues.halo)
   {
-    checkHaloWidth(*cues.halo, scene.pixelsPerInch.value_or(72));
+    requireAtMost("--halo", *cues.halo, kMaxHaloPixels, scene);
   }
 }
 

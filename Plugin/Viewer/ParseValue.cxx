@@ -78,21 +78,48 @@ std::optional<double> finiteNumber(const std::string& text)
   return number && std::abs(*number) <= kLargestNumber ? number : std::nullopt;
 }
 
+/// Throws if a number, a part of the text, is too large.
+void refuseHuge(
+  const std::string& option, const std::string& text, const std::string& part, double number)
+{
+  if (std::abs(number) > kLargestNumber)
+  {
+    throw UserError(
+      option + "=" + text + ": " + part + " is not from -1e30 to 1e30, as all numbers have to be");
+  }
+}
+
 /// Says so if a number in the text is too large, which nobody would guess from what is expected.
 [[noreturn]] void refuse(
   const std::string& option, const std::string& text, const std::string& expected)
 {
   for (const std::string& part : split(text, ",:="))
   {
-    if (const auto number = numberOfAnySize(part); number && std::abs(*number) > kLargestNumber)
-    {
-      std::ostringstream message;
-      message << option << "=" << text << ": " << part
-              << " is not from -1e30 to 1e30, as all numbers have to be";
-      throw UserError(message.str());
-    }
+    refuseHuge(option, text, part, numberOfAnySize(part).value_or(0));
   }
   throw UserError(option + "=" + text + " is not " + expected);
+}
+
+constexpr const char* kLengthExamples = "2, 1.5px, 3pt or 0.5mm";
+
+/// In pixels, if no unit follows the number.
+std::optional<Length> lengthOfAnySize(const std::string& text)
+{
+  const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
+  std::string digits = text;
+  Length length = { 0, 0 };
+  for (int unit = 0; unit < 3; ++unit)
+  {
+    if (text.size() > 2 && text.compare(text.size() - 2, 2, units[unit]) == 0)
+    {
+      digits.resize(text.size() - 2);
+      length.unit = unit;
+      break;
+    }
+  }
+  const std::optional<double> number = numberOfAnySize(digits);
+  length.value = number.value_or(0);
+  return number ? std::optional<Length>(length) : std::nullopt;
 }
 
 std::optional<int> wholeNumber(const std::string& text, int smallest, int largest)
@@ -507,31 +534,69 @@ double parsePositive(const std::string& option, const std::string& text)
   return requirePositive(option, text, parseNumber(option, text));
 }
 
-StrokeWidth parseStrokeWidth(const std::string& option, const std::string& text)
+Length parseLength(const std::string& option, const std::string& text)
 {
-  const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
-  std::string digits = text;
-  StrokeWidth width = kUsualStroke;
-  for (int unit = 0; unit < 3; ++unit)
+  const std::optional<Length> length = lengthOfAnySize(text);
+  if (!length)
   {
-    if (text.size() > 2 && text.compare(text.size() - 2, 2, units[unit]) == 0)
-    {
-      digits.resize(text.size() - 2);
-      width.unit = unit;
-      break;
-    }
+    refuse(option, text, std::string("a length, as in ") + kLengthExamples);
   }
-  const std::optional<double> number = numberOfAnySize(digits);
-  if (!number)
+  if (length->unit != 0)
   {
-    throw UserError(option + "=" + text + " is not a width, as in 2, 1.5px, 3pt or 0.5mm");
+    refuseHuge(option, text, text, length->value);
   }
-  if (width.unit != 0 && *number > kLargestNumber)
+  return *length;
+}
+
+Length parseWidth(const std::string& option, const std::string& text, double mostPixels)
+{
+  const Length width = parseLength(option, text);
+  requirePositive(option, text, width.value);
+  if (width.unit == 0 && width.value > mostPixels)
   {
-    throw UserError(option + "=" + text + " is more than 1e30, the largest number here");
+    std::ostringstream message;
+    message << option << "=" << text << " is greater than " << mostPixels << " pixels";
+    throw UserError(message.str());
   }
-  width.value = requirePositive(option, text, *number);
   return width;
+}
+
+Length parseLengthFromZero(const std::string& option, const std::string& text)
+{
+  const Length length = parseLength(option, text);
+  refuseHuge(option, text, text, length.value);
+  if (length.value < 0)
+  {
+    throw UserError(option + "=" + text + " is negative");
+  }
+  return length;
+}
+
+std::array<Length, 2> parseDash(const std::string& option, const std::string& text)
+{
+  const std::vector<std::string> parts = split(text, ",");
+  std::array<Length, 2> lengths = {};
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const std::optional<Length> length = lengthOfAnySize(parts[i]);
+    if (!length || parts.size() != lengths.size())
+    {
+      throw UserError(option + "=" + text +
+                      " is not two lengths with a comma between them, as in " + option +
+                      "=6,3 or " + option + "=2mm,1mm");
+    }
+    refuseHuge(option, text, parts[i], length->value);
+    lengths[i] = *length;
+  }
+  for (const Length& length : lengths)
+  {
+    if (length.value <= 0)
+    {
+      throw UserError(option + "=" + text + ": dash and gap have to be above 0");
+    }
+    refuseTiny(option, text, length.value);
+  }
+  return lengths;
 }
 
 } // namespace limn::viewer

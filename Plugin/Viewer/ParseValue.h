@@ -50,8 +50,18 @@ Color parseColor(const std::string& option, const std::string& text);
 /// r,g,b of a light, a surface or a tone, from which the picture is computed: each at least 0.
 Color parseIntensity(const std::string& option, const std::string& text);
 
-/// A number above 0, in pixels, or in what follows it: px, pt, mm. Pixels may be of any size.
-StrokeWidth parseStrokeWidth(const std::string& option, const std::string& text);
+/// A number in pixels, or in what follows it: px, pt, mm. Pixels may be of any size, for options
+/// that have a range of their own to name.
+Length parseLength(const std::string& option, const std::string& text);
+
+/// A length above 0, pixels up to `mostPixels`.
+Length parseWidth(const std::string& option, const std::string& text, double mostPixels);
+
+/// A length of at least 0.
+Length parseLengthFromZero(const std::string& option, const std::string& text);
+
+/// Two lengths above 0 with a comma between them.
+std::array<Length, 2> parseDash(const std::string& option, const std::string& text);
 
 /// a,b with a < b.
 std::array<double, 2> parseRange(const std::string& option, const std::string& text);

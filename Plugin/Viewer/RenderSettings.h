@@ -234,13 +234,15 @@ struct TextureSettings
 /// Of lines, in pixels.
 inline constexpr double kMaxStrokePixels = 256;
 inline constexpr double kMaxHaloPixels = 64;
+inline constexpr double kMaxOutlinePixels = 64;
 
-struct StrokeWidth
+/// In the picture.
+struct Length
 {
   double value;
   int unit; ///< of vtkLimnProperty::StrokeUnits
 };
-inline constexpr StrokeWidth kUsualStroke = { 1.5, 0 };
+inline constexpr Length kUsualStroke = { 1.5, 0 };
 
 struct MaterialSettings
 {
@@ -272,14 +274,14 @@ struct MaterialSettings
   std::optional<RampBy> rampBy;                   ///< depth if not given
   std::optional<double> rampExponent;             ///< >= 0; 1 if not given
   std::optional<std::array<double, 2>> rampRange; ///< of the clipping planes if not given
-  std::optional<StrokeWidth> hatchSpacing;        ///< the property's if not given
+  std::optional<Length> hatchSpacing;             ///< the property's if not given
   std::optional<double> hatchDarkest;             ///< 0 to 1; likewise
   std::optional<Color> hatchPaper, hatchInk;      ///< white, black if not given
   std::optional<HatchPlace> hatchPlace;           ///< model if not given
   ExaggerationSettings exaggeration;
   Outline outline = Outline::None;
   std::optional<Color> outlineColor;       ///< black if not given
-  std::optional<double> outlineWidth;      ///< in pixels
+  std::optional<Length> outlineWidth;      ///< 0: no outline
   std::optional<double> outlineOpacity;    ///< 0 to 1; 1 if not given
   std::optional<Detector> outlineDetector; ///< of Outline::Image; plane if not given
   std::optional<double> outlineTolerance, outlineCreaseDegrees; ///< likewise; the property's
@@ -332,13 +334,13 @@ struct LineSettings
   std::vector<LineKind> kinds; ///< none: no lines
   std::optional<double> creaseAngleDegrees;
   std::optional<std::string> idArray; ///< cell data; the cell scalars if not given
-  std::optional<StrokeWidth> width;
+  std::optional<Length> width;
   std::optional<double> outerWidth; ///< times the width
   std::optional<double> hatchWidth; ///< likewise; the property's if not given
   std::optional<Color> color;
   std::optional<double> opacity;
-  std::optional<double> taper;               ///< pixels
-  std::optional<std::array<double, 2>> dash; ///< dash and gap, pixels
+  std::optional<Length> taper;
+  std::optional<std::array<Length, 2>> dash; ///< dash and gap
   std::optional<HiddenLines> hidden;
   std::optional<double> ridgeThreshold, suggestiveThreshold; ///< the property's
   std::optional<LineLights> lights;                          ///< first if not given
@@ -352,7 +354,7 @@ struct CueSettings
   std::optional<double> unsharp;       ///< strength, 0 to 1
   std::optional<double> unsharpRadius; ///< share of the picture's diagonal
   std::optional<UnsharpMode> unsharpMode;
-  std::optional<StrokeWidth> halo; ///< width, at most 64 pixels
+  std::optional<Length> halo;      ///< width, at most 64 pixels
   std::optional<double> haloDepth; ///< in widths
   std::optional<Color> haloColor;  ///< the background's if not given
 };

@@ -57,9 +57,14 @@ double parseWithin(Text option, Text text, double low, double high, const char* 
   return number;
 }
 
-double parseOutlineWidth(Text option, Text text)
+Length parseOutlineWidth(Text option, Text text)
 {
-  return parseWithin(option, text, 0, 64, " pixels");
+  const Length width = parseLength(option, text);
+  if (width.value < 0 || (width.unit == 0 && width.value > kMaxOutlinePixels))
+  {
+    throw UserError(option + "=" + text + " is not from 0 to 64 pixels");
+  }
+  return width;
 }
 
 double parseViewAngle(Text option, Text text)
@@ -192,14 +197,9 @@ std::array<double, 2> parseDistances(Text option, Text text)
   return range;
 }
 
-StrokeWidth parseWidthOfLines(Text option, Text text)
+Length parseWidthOfLines(Text option, Text text)
 {
-  const StrokeWidth width = parseStrokeWidth(option, text);
-  if (width.unit == 0 && width.value > kMaxStrokePixels)
-  {
-    throw UserError(option + "=" + text + " is greater than 256 pixels");
-  }
-  return width;
+  return parseWidth(option, text, kMaxStrokePixels);
 }
 
 void addHatching(OptionList& options, MaterialSettings& material)
@@ -302,8 +302,9 @@ void addIllustration(OptionList& options, SceneSettings& scene)
     "none, normal (where the surface turns away), hull (a\nline around it), image (borders, steps "
     "and creases\nof the picture) (none)",
     choose(material.outline, outlines()));
-  options.add("--outline-width", "pixels",
-    "up to 64 (hull 1.5, image 2, normal wider where the\nsurface is flatter)",
+  options.add("--outline-width", "width",
+    "as 3, 3px, 2pt or 0.7mm; up to 64 pixels (hull 1.5,\nimage 2, normal wider where the surface "
+    "is flatter)",
     into(material.outlineWidth, parseOutlineWidth));
   options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));
   options.add("--outline-opacity", "a", "0 to 1 (1)", into(material.outlineOpacity, parseShare));
@@ -342,19 +343,6 @@ std::vector<LineKind> parseLineKinds(Text option, Text text)
     begin = end + 1;
   }
   return kinds;
-}
-
-std::array<double, 2> parseDash(Text option, Text text)
-{
-  const std::vector<double> lengths = parseNumbers(option, text, 2, 2);
-  if (lengths[0] <= 0 || lengths[1] <= 0 || lengths[0] + lengths[1] < 0.5)
-  {
-    throw UserError(
-      option + "=" + text + ": dash and gap have to be above 0, and together half a pixel");
-  }
-  refuseTiny(option, text, lengths[0]);
-  refuseTiny(option, text, lengths[1]);
-  return { lengths[0], lengths[1] };
 }
 
 double parseOuterWidth(Text option, Text text)
@@ -419,9 +407,11 @@ void addLines(OptionList& options, SceneSettings& scene)
     into(lines.hatchWidth, parseHatchWidth));
   options.add("--stroke-color", "r,g,b", "(0,0,0)", into(lines.color, parseColor));
   options.add("--stroke-opacity", "a", "0 to 1 (1)", into(lines.opacity, parseShare));
-  options.add("--stroke-taper", "pixels", "over which ends of lines grow to their width (0)",
-    into(lines.taper, parseNotNegative));
-  options.add("--stroke-dash", "dash,gap", "in pixels (none)", into(lines.dash, parseDash));
+  options.add("--stroke-taper", "length",
+    "over which ends of lines grow to their width, as 9,\n9px, 6pt or 2mm (0)",
+    into(lines.taper, parseLengthFromZero));
+  options.add(
+    "--stroke-dash", "dash,gap", "lengths, as 6,3 or 2mm,1mm (none)", into(lines.dash, parseDash));
   options.add(
     "--hidden-lines", "name", "off, dashed, thin (off)", choose(lines.hidden, hiddenLines()));
 }

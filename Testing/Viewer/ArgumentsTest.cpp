@@ -132,7 +132,7 @@ TEST(Arguments, LinesAreKindsAndAStyle)
   const SceneSettings scene = parseRender(
     { "--lines=crease,contour,suggestive", "--crease-angle=25", "--stroke-width=0.35mm",
       "--dpi=300", "--outer-width=2", "--stroke-color=0.1,0.2,0.3", "--stroke-opacity=0.5",
-      "--stroke-taper=20", "--stroke-dash=6,3", "--hidden-lines=dashed" })
+      "--stroke-taper=20pt", "--stroke-dash=6,3mm", "--hidden-lines=dashed" })
                                 .scene;
   const LineSettings& lines = scene.lines;
   EXPECT_EQ(lines.kinds,
@@ -144,8 +144,12 @@ TEST(Arguments, LinesAreKindsAndAStyle)
   EXPECT_EQ(lines.outerWidth, 2);
   EXPECT_EQ(lines.color, (Color{ 0.1, 0.2, 0.3 }));
   EXPECT_EQ(lines.opacity, 0.5);
-  EXPECT_EQ(lines.taper, 20);
-  EXPECT_EQ(lines.dash, (std::array<double, 2>{ 6, 3 }));
+  EXPECT_EQ(lines.taper->value, 20);
+  EXPECT_EQ(lines.taper->unit, 1);
+  EXPECT_EQ((*lines.dash)[0].value, 6);
+  EXPECT_EQ((*lines.dash)[0].unit, 0);
+  EXPECT_EQ((*lines.dash)[1].value, 3);
+  EXPECT_EQ((*lines.dash)[1].unit, 2);
   EXPECT_EQ(lines.hidden, HiddenLines::Dashed);
   const auto widthOf = [](const char* option) {
     return *parseRender({ "--lines=border", option }).scene.lines.width;
@@ -238,7 +242,7 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=border", "--ids-array=part" }, "--ids-array needs --lines=ids or --outline-ids" },
     { { "--outline=hull", "--outline-ids" }, "--outline-ids needs --outline=image" },
     { { "--lines=border", "--dpi=300" },
-      "--dpi needs --stroke-width, --hatch-spacing or --halo in pt or mm, or --style=print" },
+      "--dpi needs a length in pt or mm, as in --stroke-width=1pt, or --style=print" },
     { { "--lines=crease,edges" },
       "--lines=edges is unknown; choose one of: crease, border, non-manifold, ids, normals, "
       "contour, silhouette, ridge, valley, suggestive, hatch, terminator, shadow, "
@@ -252,21 +256,32 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=crease,crease" }, "--lines=crease,crease names a kind twice; name it once" },
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },
-      "--stroke-width=2in is not a width, as in 2, 1.5px, 3pt or 0.5mm" },
+      "--stroke-width=2in is not a length, as in 2, 1.5px, 3pt or 0.5mm" },
     { { "--lines=border", "--stroke-width=3mmm" },
-      "--stroke-width=3mmm is not a width, as in 2, 1.5px, 3pt or 0.5mm" },
+      "--stroke-width=3mmm is not a length, as in 2, 1.5px, 3pt or 0.5mm" },
     { { "--lines=border", "--stroke-width=1e38mm" },
-      "--stroke-width=1e38mm is more than 1e30, the largest number here" },
+      "--stroke-width=1e38mm: 1e38mm is not from -1e30 to 1e30, as all numbers have to be" },
     { { "--lines=border", "--stroke-width=300px" },
       "--stroke-width=300px is greater than 256 pixels" },
     { { "--lines=border", "--stroke-width=257" }, "--stroke-width=257 is greater than 256 pixels" },
     { { "--lines=border", "--stroke-width=100mm" },
-      "--stroke-width is 283.465 pixels at 72 dpi; lines are at most 256 wide" },
+      "--stroke-width=100mm is 283.465 pixels at 72 dpi; at most 256 are possible" },
     { { "--lines=border", "--stroke-width=72pt", "--dpi=300" },
-      "--stroke-width is 300 pixels at 300 dpi; lines are at most 256 wide" },
+      "--stroke-width=72pt is 300 pixels at 300 dpi; at most 256 are possible" },
     { { "--lines=border", "--stroke-taper=-1" }, "--stroke-taper=-1 is negative" },
     { { "--lines=border", "--stroke-dash=3,0" },
-      "--stroke-dash=3,0: dash and gap have to be above 0, and together half a pixel" },
+      "--stroke-dash=3,0: dash and gap have to be above 0" },
+    { { "--lines=border", "--stroke-dash=0.1mm,0.1pt", "--dpi=50" },
+      "--stroke-dash: dash and gap have to be half a pixel together" },
+    { { "--lines=border", "--stroke-dash=3mm" },
+      "--stroke-dash=3mm is not two lengths with a comma between them, as in --stroke-dash=6,3 or "
+      "--stroke-dash=2mm,1mm" },
+    { { "--lines=border", "--stroke-taper=2cm" },
+      "--stroke-taper=2cm is not a length, as in 2, 1.5px, 3pt or 0.5mm" },
+    { { "--outline=hull", "--outline-width=30mm" },
+      "--outline-width=30mm is 85.0394 pixels at 72 dpi; at most 64 are possible" },
+    { { "--outline=hull", "--outline-width=-1pt" },
+      "--outline-width=-1pt is not from 0 to 64 pixels" },
     { { "--lines=border", "--outer-width=300" }, "--outer-width=300 is greater than 256" },
   };
   for (const auto& one : cases)
@@ -308,13 +323,13 @@ TEST(Arguments, DepthCuesAreRead)
     { "--depth-unsharp-radius=0", "--depth-unsharp-radius=0 is not above 0, at most 0.1" },
     { "--depth-unsharp-radius=0.05", "--depth-unsharp-radius needs --depth-unsharp" },
     { "--halo=0", "--halo=0 is not greater than 0" },
-    { "--halo=65", "--halo=65 is wider than 64 pixels" },
+    { "--halo=65", "--halo=65 is greater than 64 pixels" },
     { "--halo-depth=2", "--halo-depth needs --halo" },
     { "--halo-depth=0", "--halo-depth=0 is not greater than 0" },
     { "--halo-color=1,1,1", "--halo-color needs --halo" },
-    { "--halo=1e300", "--halo=1e300 is wider than 64 pixels" },
-    { "--halo=1e400px", "--halo=1e400px is wider than 64 pixels" },
-    { "--halo=65pt", "--halo is 65 pixels at 72 dpi; halos are at most 64 wide" },
+    { "--halo=1e300", "--halo=1e300 is greater than 64 pixels" },
+    { "--halo=1e400px", "--halo=1e400px is greater than 64 pixels" },
+    { "--halo=65pt", "--halo=65pt is 65 pixels at 72 dpi; at most 64 are possible" },
     { "--edl=1e300", "--edl=1e300 is not from 0 to 100" },
     { "--edl-radius=1e-46",
       "--edl-radius=1e-46 is nearer to 0 than 1e-30, the smallest number here" },
@@ -799,7 +814,8 @@ TEST(Arguments, TonesAndOutlinesHaveTheirNumbers)
       .scene.material;
   EXPECT_EQ(toon.tone, Tone::Toon);
   EXPECT_EQ(toon.toonSteps, 5);
-  EXPECT_EQ(toon.outlineWidth, 2.5);
+  EXPECT_EQ(toon.outlineWidth->value, 2.5);
+  EXPECT_EQ(toon.outlineWidth->unit, 0);
   EXPECT_EQ(toon.outlineOpacity, 0.4);
   EXPECT_EQ(parseRender({ "--tone=gooch", "--tone-light=upper-right" }).scene.material.toneLight,
     ToneLight::UpperRight);

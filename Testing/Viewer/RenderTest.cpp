@@ -138,6 +138,29 @@ TEST_F(Render, WhatIsNamedBesideAStyleHolds)
   }
 }
 
+// At 144 dpi a point is two pixels, and an inch 144.
+TEST_F(Render, LengthsAreThoseOfThePicture)
+{
+  const struct
+  {
+    std::string pixels, points, millimeters;
+  } lengths[] = {
+    { "--outline-width=4", "--outline-width=2pt", "--outline-width=0.7055555555555556mm" },
+    { "--stroke-taper=36px", "--stroke-taper=18pt", "--stroke-taper=6.35mm" },
+    { "--stroke-dash=6,4", "--stroke-dash=3pt,4px", "--stroke-dash=1.0583333333333333mm,2pt" },
+  };
+  for (const auto& length : lengths)
+  {
+    const bool isOutline = length.pixels.find("outline") != std::string::npos;
+    const std::string kind = isOutline ? "--outline=hull" : "--lines=border,contour";
+    const std::string pixels = draw("teapot.obj", { kind, length.pixels });
+    EXPECT_EQ(draw("teapot.obj", { kind, length.points, "--dpi=144" }), pixels) << length.points;
+    EXPECT_EQ(draw("teapot.obj", { kind, length.millimeters, "--dpi=144" }), pixels)
+      << length.millimeters;
+    EXPECT_NE(draw("teapot.obj", { kind, length.points }), pixels) << length.points;
+  }
+}
+
 // A mesh without normals is sharp at its creases, and has creases where it is sharp.
 TEST_F(Render, AStylesCreasesAreAtTheFeatureAngle)
 {

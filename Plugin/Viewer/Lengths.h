@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) the Limn authors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef limn_viewer_Lengths_h
+#define limn_viewer_Lengths_h
+
+#include <string> // for options
+
+namespace limn::viewer
+{
+
+struct Length;
+struct SceneSettings;
+
+/// Of a length in the picture.
+double pixelsOf(const Length& length, const SceneSettings& scene);
+
+/// Throws UserError if the length is more than so many pixels.
+void requireAtMost(
+  const std::string& option, const Length& length, double mostPixels, const SceneSettings& scene);
+
+} // namespace limn::viewer
+
+#endif
