@@ -421,6 +421,15 @@ Request parseVerb(const std::string& verb, const Arguments& arguments)
       return parse(arguments);
     }
   }
+  const std::string small = inSmallLetters(verb);
+  for (const char* const known :
+    { "render", "view", "info", "compare", "help", "--help", "--version" })
+  {
+    if (small == known)
+    {
+      throw UserError("unknown verb " + verb + "; write it in small letters: " + small);
+    }
+  }
   throw UserError("unknown verb " + verb + "; choose one of: render, view, info, compare, help");
 }
 

@@ -26,7 +26,7 @@ OptionList::Reader upTo(Target& target, double most, const char* words, bool isZ
 {
   return [&target, most, words, isZeroAllowed](Text option, Text text)
   {
-    const double number = parseNumberOfAnySize(option, text);
+    const double number = parseNumberOfAnySize(option, text, words);
     if (number < 0 || number > most || (number == 0 && !isZeroAllowed))
     {
       throw UserError(option + "=" + text + " is not " + words);

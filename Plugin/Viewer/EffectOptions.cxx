@@ -35,20 +35,22 @@ bool isFrom(double smallest, double number)
 
 double parseExposure(Text option, Text text)
 {
-  const double number = parseNumberOfAnySize(option, text);
+  const std::string range = "from 0 to 65504";
+  const double number = parseNumberOfAnySize(option, text, range);
   if (!isFrom(0, number))
   {
-    refuse(option, text, " is not from 0 to 65504");
+    refuse(option, text, " is not " + range);
   }
   return number;
 }
 
 double parseWhitePoint(Text option, Text text)
 {
-  const double number = parseNumberOfAnySize(option, text);
+  const std::string range = "from 0.001 to 65504";
+  const double number = parseNumberOfAnySize(option, text, range);
   if (!isFrom(0.001, number))
   {
-    refuse(option, text, " is not from 0.001 to 65504");
+    refuse(option, text, " is not " + range);
   }
   return number;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionList.h"
 
+#include "ParseValue.h" // for inSmallLetters
 #include "UserError.h"
 
 #include <algorithm>
@@ -148,6 +149,11 @@ void OptionList::refuseUnknown() const
     if (unserved != unservedOptions().end())
     {
       throw UserError(name + " is not served by this version; " + unserved->second);
+    }
+    const std::string small = inSmallLetters(name);
+    if (small != name && this->app_->get_option_no_throw(small))
+    {
+      throw UserError("unknown option " + name + "; write it in small letters: " + small);
     }
     const std::string kind = name.rfind("-", 0) == 0 ? "option " : "argument ";
     throw UserError("unknown " + kind + name + "; see \"limn help " + this->verb_ + "\"");

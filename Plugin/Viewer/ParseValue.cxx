@@ -89,6 +89,31 @@ void refuseHuge(
   }
 }
 
+/// "30" of "30deg"; empty unless a number is followed by letters, of any alphabet.
+std::string withoutUnit(const std::string& text)
+{
+  const std::size_t end = text.find_last_of("0123456789.");
+  const std::string number = end == std::string::npos ? "" : text.substr(0, end + 1);
+  const auto isOfUnit = [](unsigned char letter) { return std::isalpha(letter) || letter > 0x7F; };
+  const bool hasUnit =
+    number.size() < text.size() &&
+    std::all_of(text.begin() + static_cast<std::ptrdiff_t>(number.size()), text.end(), isOfUnit);
+  return hasUnit && finiteNumber(number) ? number : "";
+}
+
+/// What may be wrong with a text that is not what an option expects, if it is easily mended.
+std::string hintOf(const std::string& text)
+{
+  for (const std::string& part : split(text, ",:="))
+  {
+    if (const std::string number = withoutUnit(part); !number.empty())
+    {
+      return "; write " + number + ", without a unit";
+    }
+  }
+  return "";
+}
+
 /// Says so if a number in the text is too large, which nobody would guess from what is expected.
 [[noreturn]] void refuse(
   const std::string& option, const std::string& text, const std::string& expected)
@@ -97,20 +122,20 @@ void refuseHuge(
   {
     refuseHuge(option, text, part, numberOfAnySize(part).value_or(0));
   }
-  throw UserError(option + "=" + text + " is not " + expected);
+  throw UserError(option + "=" + text + " is not " + expected + hintOf(text));
 }
 
-constexpr const char* kLengthExamples = "2, 1.5px, 3pt or 0.5mm";
+/// Of StrokeUnits, in their order.
+const char* const kUnits[] = { "px", "pt", "mm" };
 
 /// In pixels, if no unit follows the number.
 std::optional<Length> lengthOfAnySize(const std::string& text)
 {
-  const char* const units[] = { "px", "pt", "mm" }; // in the order of StrokeUnits
   std::string digits = text;
   Length length = { 0, 0 };
   for (int unit = 0; unit < 3; ++unit)
   {
-    if (text.size() > 2 && text.compare(text.size() - 2, 2, units[unit]) == 0)
+    if (text.size() > 2 && text.compare(text.size() - 2, 2, kUnits[unit]) == 0)
     {
       digits.resize(text.size() - 2);
       length.unit = unit;
@@ -122,16 +147,15 @@ std::optional<Length> lengthOfAnySize(const std::string& text)
   return number ? std::optional<Length>(length) : std::nullopt;
 }
 
+/// However it is written: 1e3 is one.
 std::optional<int> wholeNumber(const std::string& text, int smallest, int largest)
 {
-  int number = 0;
-  const char* const last = text.data() + text.size();
-  const auto [end, error] = std::from_chars(text.data(), last, number);
-  if (error != std::errc() || end != last || number < smallest || number > largest)
+  const std::optional<double> number = numberOfAnySize(text);
+  if (!number || *number < smallest || *number > largest || std::floor(*number) != *number)
   {
     return std::nullopt;
   }
-  return number;
+  return static_cast<int>(*number);
 }
 
 std::optional<Vector3> finiteVector(const std::string& text)
@@ -480,15 +504,23 @@ LightSettings parseLight(const std::string& option, const std::string& text)
   }
   for (const LightForm& form : kLightForms)
   {
-    if (parts[0] != form.kind)
+    if (inSmallLetters(parts[0]) != form.kind)
     {
       continue;
+    }
+    if (parts[0] != form.kind)
+    {
+      refuse(option, text, std::string("a light; write its kind in small letters: ") + form.kind);
     }
     if (const auto light = form.from(parts))
     {
       return *light;
     }
     refuse(option, text, std::string("of the form ") + form.form);
+  }
+  if (inSmallLetters(text) == "headlight")
+  {
+    refuse(option, text, "a light; write it in small letters: headlight");
   }
   refuse(option, text,
     "a light; choose one of: headlight, directional:..., point:..., spot:..., rectangle:..., "
@@ -505,10 +537,22 @@ std::string joinWords(const std::vector<std::string>& words)
   return joined;
 }
 
-double parseNumberOfAnySize(const std::string& option, const std::string& text)
+std::string inSmallLetters(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return text;
+}
+
+double parseNumberOfAnySize(
+  const std::string& option, const std::string& text, const std::string& range)
 {
   const std::optional<double> number = numberOfAnySize(text);
-  return number ? *number : parseNumber(option, text);
+  if (!number)
+  {
+    throw UserError(option + "=" + text + " is not a number " + range + hintOf(text));
+  }
+  return *number;
 }
 
 void refuseTiny(const std::string& option, const std::string& text, double number)
@@ -534,12 +578,15 @@ double parsePositive(const std::string& option, const std::string& text)
   return requirePositive(option, text, parseNumber(option, text));
 }
 
-Length parseLength(const std::string& option, const std::string& text)
+Length parseLength(const std::string& option, const std::string& text, const std::string& range)
 {
   const std::optional<Length> length = lengthOfAnySize(text);
   if (!length)
   {
-    refuse(option, text, std::string("a length, as in ") + kLengthExamples);
+    const std::string mended = inSmallLetters(text);
+    throw UserError(option + "=" + text + " is not a length" + (range.empty() ? "" : " " + range) +
+                    ", as in 2, 1.5px, 3pt or 0.5mm" +
+                    (mended != text && lengthOfAnySize(mended) ? "; write " + mended : ""));
   }
   if (length->unit != 0)
   {
@@ -550,20 +597,20 @@ Length parseLength(const std::string& option, const std::string& text)
 
 Length parseWidth(const std::string& option, const std::string& text, double mostPixels)
 {
-  const Length width = parseLength(option, text);
+  std::ostringstream most;
+  most << mostPixels << " pixels";
+  const Length width = parseLength(option, text, "above 0 and up to " + most.str());
   requirePositive(option, text, width.value);
   if (width.unit == 0 && width.value > mostPixels)
   {
-    std::ostringstream message;
-    message << option << "=" << text << " is greater than " << mostPixels << " pixels";
-    throw UserError(message.str());
+    throw UserError(option + "=" + text + " is greater than " + most.str());
   }
   return width;
 }
 
 Length parseLengthFromZero(const std::string& option, const std::string& text)
 {
-  const Length length = parseLength(option, text);
+  const Length length = parseLength(option, text, "of at least 0");
   refuseHuge(option, text, text, length.value);
   if (length.value < 0)
   {

@@ -19,8 +19,9 @@ namespace limn::viewer
 /// are at most 1e30 in size.
 double parseNumber(const std::string& option, const std::string& text);
 
-/// Likewise of any size, for options that have a range of their own to name.
-double parseNumberOfAnySize(const std::string& option, const std::string& text);
+/// Likewise of any size, for options that have a range of their own to name: "from 0 to 1".
+double parseNumberOfAnySize(
+  const std::string& option, const std::string& text, const std::string& range);
 
 /// Throws if a number, which may be 0, is so near to it that the renderer would take it for that.
 void refuseTiny(const std::string& option, const std::string& text, double number);
@@ -51,8 +52,8 @@ Color parseColor(const std::string& option, const std::string& text);
 Color parseIntensity(const std::string& option, const std::string& text);
 
 /// A number in pixels, or in what follows it: px, pt, mm. Pixels may be of any size, for options
-/// that have a range of their own to name.
-Length parseLength(const std::string& option, const std::string& text);
+/// that have a range of their own to name: "from 0 to 64 pixels".
+Length parseLength(const std::string& option, const std::string& text, const std::string& range);
 
 /// A length above 0, pixels up to `mostPixels`.
 Length parseWidth(const std::string& option, const std::string& text, double mostPixels);
@@ -77,6 +78,9 @@ Vector3 parseAxis(const std::string& option, const std::string& text);
 /// rectangle:x,y,z:ax,ay,az:bx,by,bz:r,g,b[:samples] | sphere:x,y,z:radius:r,g,b[:samples], with
 /// power=r,g,b for r,g,b of those with a position.
 LightSettings parseLight(const std::string& option, const std::string& text);
+
+/// As names are written here.
+std::string inSmallLetters(std::string text);
 
 /// "flat, gouraud, phong"
 std::string joinWords(const std::vector<std::string>& words);

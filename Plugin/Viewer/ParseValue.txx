@@ -26,6 +26,12 @@ Value parseChoice(const std::string& option, const std::string& text, const Choi
     throw UserError(
       option + "=" + text + " is not served by this version; choose one of: " + joinWords(names));
   }
+  const std::string small = inSmallLetters(text);
+  if (std::find(names.begin(), names.end(), small) != names.end())
+  {
+    throw UserError(
+      option + "=" + text + " is unknown; write it in small letters: " + option + "=" + small);
+  }
   throw UserError(option + "=" + text + " is unknown; choose one of: " + joinWords(names));
 }
 

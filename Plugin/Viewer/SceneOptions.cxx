@@ -47,32 +47,34 @@ double parseNotNegative(Text option, Text text)
 
 double parseWithin(Text option, Text text, double low, double high, const char* unit = "")
 {
-  const double number = parseNumberOfAnySize(option, text);
+  std::ostringstream range;
+  range << "from " << low << " to " << high << unit;
+  const double number = parseNumberOfAnySize(option, text, range.str());
   if (number < low || number > high)
   {
-    std::ostringstream message;
-    message << option << "=" << text << " is not from " << low << " to " << high << unit;
-    throw UserError(message.str());
+    throw UserError(option + "=" + text + " is not " + range.str());
   }
   return number;
 }
 
 Length parseOutlineWidth(Text option, Text text)
 {
-  const Length width = parseLength(option, text);
+  const std::string range = "from 0 to 64 pixels";
+  const Length width = parseLength(option, text, range);
   if (width.value < 0 || (width.unit == 0 && width.value > kMaxOutlinePixels))
   {
-    throw UserError(option + "=" + text + " is not from 0 to 64 pixels");
+    throw UserError(option + "=" + text + " is not " + range);
   }
   return width;
 }
 
 double parseViewAngle(Text option, Text text)
 {
-  const double degrees = parseNumberOfAnySize(option, text);
+  const std::string range = "between 0 and 180 degrees";
+  const double degrees = parseNumberOfAnySize(option, text, range);
   if (degrees <= 0 || degrees >= 180)
   {
-    throw UserError(option + "=" + text + " is not between 0 and 180 degrees");
+    throw UserError(option + "=" + text + " is not " + range);
   }
   refuseTiny(option, text, degrees);
   return degrees;
@@ -124,12 +126,7 @@ void addCamera(OptionList& options, CameraSettings& camera)
 
 double parseFeatureAngle(Text option, Text text)
 {
-  const double degrees = parseNumberOfAnySize(option, text);
-  if (degrees < 0 || degrees > 180)
-  {
-    throw UserError(option + "=" + text + " is not from 0 to 180 degrees");
-  }
-  return degrees;
+  return parseWithin(option, text, 0, 180, " degrees");
 }
 
 void addMaterial(OptionList& options, MaterialSettings& material)
@@ -418,7 +415,8 @@ void addLines(OptionList& options, SceneSettings& scene)
 
 double parseProceduralScale(Text option, Text text)
 {
-  const double scale = requirePositive(option, text, parseNumberOfAnySize(option, text));
+  const double scale =
+    requirePositive(option, text, parseNumberOfAnySize(option, text, "above 0, at most 1e6"));
   if (scale > 1e6)
   {
     throw UserError(option + "=" + text + " is greater than 1e6");

@@ -256,9 +256,11 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=crease,crease" }, "--lines=crease,crease names a kind twice; name it once" },
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },
-      "--stroke-width=2in is not a length, as in 2, 1.5px, 3pt or 0.5mm" },
+      "--stroke-width=2in is not a length above 0 and up to 256 pixels, as in 2, 1.5px, 3pt or "
+      "0.5mm" },
     { { "--lines=border", "--stroke-width=3mmm" },
-      "--stroke-width=3mmm is not a length, as in 2, 1.5px, 3pt or 0.5mm" },
+      "--stroke-width=3mmm is not a length above 0 and up to 256 pixels, as in 2, 1.5px, 3pt or "
+      "0.5mm" },
     { { "--lines=border", "--stroke-width=1e38mm" },
       "--stroke-width=1e38mm: 1e38mm is not from -1e30 to 1e30, as all numbers have to be" },
     { { "--lines=border", "--stroke-width=300px" },
@@ -277,7 +279,7 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
       "--stroke-dash=3mm is not two lengths with a comma between them, as in --stroke-dash=6,3 or "
       "--stroke-dash=2mm,1mm" },
     { { "--lines=border", "--stroke-taper=2cm" },
-      "--stroke-taper=2cm is not a length, as in 2, 1.5px, 3pt or 0.5mm" },
+      "--stroke-taper=2cm is not a length of at least 0, as in 2, 1.5px, 3pt or 0.5mm" },
     { { "--outline=hull", "--outline-width=30mm" },
       "--outline-width=30mm is 85.0394 pixels at 72 dpi; at most 64 are possible" },
     { { "--outline=hull", "--outline-width=-1pt" },
@@ -316,7 +318,7 @@ TEST(Arguments, DepthCuesAreRead)
     std::string error;
   } cases[] = {
     { "--edl=-1", "--edl=-1 is not from 0 to 100" },
-    { "--edl=nan", "--edl=nan is not a finite number, as in --edl=1.5" },
+    { "--edl=nan", "--edl=nan is not a number from 0 to 100" },
     { "--edl-radius=0.002", "--edl-radius needs --edl" },
     { "--depth-unsharp=1.1", "--depth-unsharp=1.1 is not from 0 to 1" },
     { "--depth-unsharp-mode=both", "--depth-unsharp-mode needs --depth-unsharp" },
@@ -367,7 +369,7 @@ TEST(Arguments, ReflectionOptionsThatWouldShowNothingAreRefused)
     { { "--fresnel", "--tone=gooch-chapter" },
       "--fresnel and --tone exclude each other; give one" },
     { { "--opacity=-0.1" }, "--opacity=-0.1 is not from 0 to 1" },
-    { { "--opacity=nan" }, "--opacity=nan is not a finite number, as in --opacity=1.5" },
+    { { "--opacity=nan" }, "--opacity=nan is not a number from 0 to 1" },
     { { "--roughness=1.5", "--reflection=oren-nayar" }, "--roughness=1.5 is not from 0 to 1" },
     { { "--refractive-index=0.9", "--fresnel" },
       "--refractive-index=0.9 is not at least 1, the index of air" },
@@ -555,8 +557,7 @@ TEST(Arguments, TonesOverDataThatWouldNotShowAreErrors)
       "--tone-over-data=safe is unknown; choose one of: classic, undertone, legend-safe" },
     { { "--undertone=1.5" }, "--undertone=1.5 is not from 0 to 1" },
     { { "--legend-safe-range=-1" }, "--legend-safe-range=-1 is not from 0 to 100" },
-    { { "--legend-safe-range=nan" },
-      "--legend-safe-range=nan is not a finite number, as in --legend-safe-range=1.5" },
+    { { "--legend-safe-range=nan" }, "--legend-safe-range=nan is not a number from 0 to 100" },
     { { "--tone=gooch", "--tone-legend=a.png" },
       "--tone-legend needs a tone and --coloring-array=NAME" },
     { { "--coloring-array=a", "--tone-legend=a.png" },
@@ -719,9 +720,62 @@ TEST(Arguments, ValuesOfImageLinesHaveTheirRanges)
     "--outline-crease-detector=plane is unknown; choose one of: angle, sobel, laplacian");
 }
 
+TEST(Arguments, ErrorsSayWhatIsAccepted)
+{
+  const struct
+  {
+    std::string option;
+    std::string error;
+  } cases[] = {
+    { "--crease-angle=30deg", " is not a number from 0 to 180 degrees; write 30, without a unit" },
+    { "--crease-angle=30\xC2\xB0",
+      " is not a number from 0 to 180 degrees; write 30, without a unit" },
+    { "--crease-angle=sharp", " is not a number from 0 to 180 degrees" },
+    { "--crease-angle=inf", " is not a number from 0 to 180 degrees" },
+    { "--camera-view-angle=45deg",
+      " is not a number between 0 and 180 degrees; write 45, without a unit" },
+    { "--opacity=50%", " is not a number from 0 to 1" },
+    { "--edl-radius=nan", " is not a number above 0, at most 0.02" },
+    { "--exposure=bright", " is not a number from 0 to 65504" },
+    { "--procedural-scale=inf", " is not a number above 0, at most 1e6" },
+    { "--dpi=1e9", " is not a whole number from 1 to 100000" },
+    { "--dpi=300dpi", " is not a whole number from 1 to 100000; write 300, without a unit" },
+    { "--dpi=72.5", " is not a whole number from 1 to 100000" },
+    { "--halo=inf", " is not a length above 0 and up to 64 pixels, as in 2, 1.5px, 3pt or 0.5mm" },
+    { "--halo=4PX",
+      " is not a length above 0 and up to 64 pixels, as in 2, 1.5px, 3pt or 0.5mm; write 4px" },
+    { "--outline-width=wide",
+      " is not a length from 0 to 64 pixels, as in 2, 1.5px, 3pt or 0.5mm" },
+    { "--tone=GOOCH", " is unknown; write it in small letters: --tone=gooch" },
+    { "--light=Point:0,0,0:1,1,1", " is not a light; write its kind in small letters: point" },
+    { "--light=HEADLIGHT", " is not a light; write it in small letters: headlight" },
+  };
+  for (const auto& one : cases)
+  {
+    EXPECT_EQ(renderErrorOf({ one.option }), one.option + one.error);
+  }
+  EXPECT_EQ(renderErrorOf({ "--lines=border,Crease" }),
+    "--lines=Crease is unknown; write it in small letters: --lines=crease");
+  const std::string cone = renderErrorOf({ "--light=spot:0,0,9:0,0,-1:30deg:1:1,1,1" });
+  EXPECT_NE(cone.find("; write 30, without a unit"), std::string::npos) << cone;
+  EXPECT_EQ(
+    renderErrorOf({ "--Tone=gooch" }), "unknown option --Tone; write it in small letters: --tone");
+  EXPECT_EQ(
+    errorOf({ "Render", "a.obj" }), "unknown verb Render; write it in small letters: render");
+}
+
+TEST(Arguments, WholeNumbersMayBeWrittenAsOthers)
+{
+  const SceneSettings scene =
+    parseRender({ "--resolution=1e3,600.0", "--lines=border", "--stroke-width=1pt", "--dpi=3e2" })
+      .scene;
+  EXPECT_EQ(scene.resolution, (std::array<int, 2>{ 1000, 600 }));
+  EXPECT_EQ(scene.pixelsPerInch, 300);
+}
+
 TEST(Arguments, ResolutionMustBePositiveAndBounded)
 {
-  for (const std::string text : { "0,10", "10,-1", "10", "10,20,30", "16385,10", "1e3,10", "x,y" })
+  for (const std::string text : { "0,10", "10,-1", "10", "10,20,30", "16385,10", "1e5,10", "x,y" })
   {
     EXPECT_NE(renderErrorOf({ "--resolution=" + text }), "") << text;
   }
@@ -897,7 +951,7 @@ TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
     { { "--tone=exaggerated", "--exaggeration-scale=0" },
       "--exaggeration-scale=0 is not from 0.0001 to 1" },
     { { "--tone=exaggerated", "--exaggeration-contrast=nan" },
-      "--exaggeration-contrast=nan is not a finite number, as in --exaggeration-contrast=1.5" },
+      "--exaggeration-contrast=nan is not a number from 0 to 1000" },
     { { "--cool=0,0,1", "--tone=exaggerated" },
       "--cool needs a tone; add --tone=gooch or --tone=gooch-chapter" },
     { { "--cool=0,0,1", "--tone=hatching" },
