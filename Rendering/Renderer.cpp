@@ -136,7 +136,9 @@ class TranslucentLayers {
       rasterize(rows);
       truncated = memory_.samples.settle();
     }
-    memory_.fragments.collect(clusters_, samples_, memory_.samples, panes_ != nullptr);
+    memory_.fragments.collect(clusters_, samples_, memory_.samples,
+                              panes_ != nullptr ? TranslucentFragments::Depths::kKept
+                                                : TranslucentFragments::Depths::kForgotten);
     opaque_.shader.shade(clusters_, pixels_, samples_, memory_.fragments);
     memory_.compositor.add(memory_.fragments);
     if (panes_ != nullptr) panes_->add(clusters_, samples_, memory_.fragments);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/Panes.h"
 
+#include "Rendering/Base/FullIntensity.h"
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Lines/LinePlace.h"
 #include "Rendering/Lines/StrokePieces.h"
@@ -12,11 +13,6 @@
 
 namespace limn {
 namespace {
-
-Vec3f full(Vec3f c)
-{
-  return {c.x < 1.0f ? c.x : 1.0f, c.y < 1.0f ? c.y : 1.0f, c.z < 1.0f ? c.z : 1.0f};
-}
 
 /// Marks the blocks of a frame that strokes may reach.
 class ReachMarker {

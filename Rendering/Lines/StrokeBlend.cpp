@@ -3,6 +3,7 @@
 #include "Rendering/Lines/StrokeBlend.h"
 
 #include "Rendering/Base/BitCount.h"
+#include "Rendering/Base/FullIntensity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +24,6 @@ std::uint8_t roundedByte(float value)
 std::uint8_t mixedByte(std::uint8_t old, float line, float a)
 {
   return roundedByte(mixed(old, line, a));
-}
-
-float full(float channel)
-{
-  return channel < 1.0f ? channel : 1.0f;
 }
 
 }  // namespace
@@ -77,7 +73,7 @@ StrokeBlend::StrokeBlend(const StrokeGroup& group, const FrameView& frame, const
       open_(open),
       instance_(group.instance),
       opacity_(group.opacity),
-      own_(inkOf({{full(group.color.x), full(group.color.y), full(group.color.z)}, group.color})),
+      own_(inkOf({full(group.color), group.color})),
       samples_(static_cast<std::uint32_t>(samples)),
       keepsApart_(frame.background == Background::kKeepApart && frame.coverage != nullptr)
 {

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Rendering/Base/Array.h"
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Mesh/MeshView.h"
+#include "Rendering/Mesh/SortByVertex.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cstdint>
-#include <vector>
 
 namespace limn {
 
@@ -27,38 +25,25 @@ class HalfEdges {
   template <class IsUsed>
   HalfEdges(const MeshView& mesh, Span<const std::uint32_t> place, int threads,
             const IsUsed& isUsed)
-      : first_(mesh.vertexCount() + 1, 0)
+      : sorted_(sortByVertex<HalfEdge>(mesh.vertexCount(), [&](const auto& visit) {
+          parallelForEach(threads, mesh.triangles.size(), kPerTask, [&](std::size_t t) {
+            if (!isUsed(t)) return;
+            const auto& vertex = mesh.triangles[t].vertex;
+            for (std::uint32_t k = 0; k < 3; ++k) {
+              const std::uint32_t a = place[vertex[k]], b = place[vertex[(k + 1) % 3]];
+              visit(std::min(a, b),
+                    HalfEdge{std::max(a, b), static_cast<std::uint32_t>(3 * t) + k});
+            }
+          });
+        }))
   {
-    std::vector<std::atomic<std::uint32_t>> next(mesh.vertexCount());
-    const auto forEach = [&](const auto& visit) {
-      parallelForEach(threads, mesh.triangles.size(), kPerTask, [&](std::size_t t) {
-        if (!isUsed(t)) return;
-        const auto& vertex = mesh.triangles[t].vertex;
-        for (std::uint32_t k = 0; k < 3; ++k) {
-          const std::uint32_t a = place[vertex[k]], b = place[vertex[(k + 1) % 3]];
-          visit(next[std::min(a, b)],
-                HalfEdge{std::max(a, b), static_cast<std::uint32_t>(3 * t) + k});
-        }
-      });
-    };
-    forEach([](std::atomic<std::uint32_t>& count, const HalfEdge&) {
-      count.fetch_add(1, std::memory_order_relaxed);
-    });
-    for (std::size_t v = 0; v < next.size(); ++v) {
-      first_[v + 1] = first_[v] + next[v].load(std::memory_order_relaxed);
-      next[v].store(first_[v], std::memory_order_relaxed);
-    }
-    halves_.resize(first_.back());
-    forEach([&](std::atomic<std::uint32_t>& number, const HalfEdge& half) {
-      halves_[number.fetch_add(1, std::memory_order_relaxed)] = half;
-    });
   }
 
   /// Those at a place, sorted by end and corner; once a place, as they are sorted only now.
   Span<HalfEdge> sorted(std::size_t v)
   {
-    HalfEdge* const begin = halves_.data() + first_[v];
-    HalfEdge* const end = halves_.data() + first_[v + 1];
+    HalfEdge* const begin = sorted_.items.data() + sorted_.first[v];
+    HalfEdge* const end = sorted_.items.data() + sorted_.first[v + 1];
     // Undoes the order in which threads came.
     std::sort(begin, end, [](const HalfEdge& a, const HalfEdge& b) {
       return a.end != b.end ? a.end < b.end : a.corner < b.corner;
@@ -69,8 +54,7 @@ class HalfEdges {
  private:
   static constexpr std::size_t kPerTask = 8192;
 
-  std::vector<std::uint32_t> first_;
-  Array<HalfEdge> halves_;
+  ItemsByVertex<HalfEdge> sorted_;
 };
 
 }  // namespace limn

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Post/CompositeTile.h"
 
+#include "Rendering/Base/FullIntensity.h"
 #include "Rendering/Post/ColorSum.h"
 #include "Rendering/Post/TilePlace.h"
 
@@ -34,11 +35,6 @@ std::uint8_t toByte(float share)
   std::uint32_t bits;
   std::memcpy(&bits, &rounded, sizeof bits);
   return static_cast<std::uint8_t>(bits & 0xFFu);
-}
-
-float full(float x)
-{
-  return x < 1.0f ? x : 1.0f;
 }
 
 }  // namespace

@@ -112,9 +112,9 @@ void TranslucentFragments::sortByPixel(const TranslucentTile& tile)
 }
 
 void TranslucentFragments::collect(const TileClusters& clusters, int samples,
-                                   const TranslucentTile& tile, bool keepsDepths)
+                                   const TranslucentTile& tile, Depths depths)
 {
-  keepsDepths_ = keepsDepths;
+  keepsDepths_ = depths == Depths::kKept;
   reserve(tile, samples);
   isEachItsOwn_ = samples == 1 && !tile.hasPieces();
   if (isEachItsOwn_)

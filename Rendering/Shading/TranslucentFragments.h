@@ -32,9 +32,10 @@ class TranslucentFragments {
     Array<std::uint16_t> coverage;
   };
 
-  /// With `keepsDepths` depths() are told.
+  enum class Depths { kForgotten, kKept };
+  /// Depths that are kept depths() tells.
   void collect(const TileClusters& clusters, int samples, const TranslucentTile& tile,
-               bool keepsDepths);
+               Depths depths);
 
   // By fragment:
   const std::uint32_t* owners() const { return owner_.data(); }

@@ -469,7 +469,7 @@ TEST(TranslucentFragments, ATriangleThatMeetsASampleTwiceCountsOnceWhereItIsNear
   add(kOther, 0.4f);
   tile.notePieces();
   TranslucentFragments fragments;
-  fragments.collect({nullptr, {}}, 1, tile, true);
+  fragments.collect({nullptr, {}}, 1, tile, TranslucentFragments::Depths::kKept);
   ASSERT_EQ(fragments.touched().size(), 1u);
   EXPECT_EQ(fragments.touched()[0].pixel, 5u);
   const std::uint32_t* const layers = fragments.layers();
