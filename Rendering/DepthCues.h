@@ -50,7 +50,10 @@ struct DepthUnsharp {
 /// of the width; those of its own instance where they lie behind by more than the depth of the
 /// whole width and the horizon of rounded surfaces, kHorizon times what the surface rises within
 /// its last pixel times one and half the pixels from there to the stroke. Strokes that meet in a
-/// pixel and are laid over it at once count as the nearest of them. The background is not cut.
+/// pixel and are laid over it at once count as the nearest of them. Translucent surfaces behind it
+/// are cut as opaque ones that lie as far, and keep their alpha: what is below them is cut by
+/// itself; with Background::kKeepApart, where nobody knows that, they are not. The background is
+/// not cut.
 struct Halo {
   static constexpr float kHorizon = 3;
   float width = 0;          ///< pixels; 0: none; 0 to kMaxHaloWidth

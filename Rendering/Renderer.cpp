@@ -318,7 +318,9 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   std::optional<Veil> veil;
   if (Veil::isNeeded(scene, frame)) veil.emplace(bins.grid.count());
   std::optional<Panes> panes;
-  if (Panes::areNeeded(scene, frame)) panes.emplace(scene, bins.grid, options.threads);
+  const bool haveHalos = Panes::areBehindHalos(scene, frame);
+  const bool areBeforeLines = Panes::areBeforeLines(scene, frame);
+  if (haveHalos || areBeforeLines) panes.emplace(placed, bins, options.threads);
   const PassInputs passes = {layers ? &*layers : nullptr, veil ? &*veil : nullptr,
                              panes ? &*panes : nullptr};
   std::atomic<std::size_t> occluded = 0, truncated = 0;
@@ -334,9 +336,11 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     if (std::any_of(scene.instances.begin(), scene.instances.end(), hasImageOutline))
       drawImageOutlines({scene, frame, layers->layers, touched, options.threads});
   }
+  if (veil && haveHalos) veil->addHalos(scene, layers->layers, bins.grid, *panes, options.threads);
   if (veil) veil->lay(frame, options.threads);
   if (drawsStrokes)
-    drawStrokes(scene, frame, layers ? &layers->layers : nullptr, passes.panes, options.threads);
+    drawStrokes(scene, frame, layers ? &layers->layers : nullptr,
+                areBeforeLines ? passes.panes : nullptr, options.threads);
   stats.occludedClusters = occluded;
   stats.truncatedPixels = truncated;
   stats.tileMilliseconds = tileTime.milliseconds();

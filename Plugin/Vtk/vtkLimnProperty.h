@@ -872,7 +872,8 @@ public:
    * parts of itself too, HaloWidth wide in HaloUnit (one of StrokeUnits), at most 64 pixels; 0, the
    * default, for none. It has its full width where these lie HaloDepth widths behind, and is the
    * narrower the less that is. Lines there are cut, too; those of the actor itself only where
-   * they lie so far behind. Defaults: pixels, 4 and white.
+   * they lie so far behind. Translucent actors behind it have the gap's colour at their own
+   * opacity, but not in OpenGL windows. Defaults: pixels, 4 and white.
    */
   vtkSetMacro(HaloWidth, double);
   vtkGetMacro(HaloWidth, double);

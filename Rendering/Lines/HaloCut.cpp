@@ -33,6 +33,21 @@ float HaloBorder::shareOf(float haloWidth, float dx, float dy) const
   return unbounded < 1.0f ? unbounded : 1.0f;
 }
 
+float HaloBorder::shareOfRest(float haloWidth) const
+{
+  if (!(covered < 1.0f)) return 0.0f;
+  const float share = haloWidth / (1.0f - covered);
+  return share < 1.0f ? share : 1.0f;
+}
+
+/// Along the gaze, in the middle of a pixel.
+float HaloCut::distanceAt(int x, int y, float depth) const
+{
+  if (depth > 1.0f) return HaloBorder::kBehindAll;
+  const Vec2f centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
+  return -layers_.toView->at(centre.x, centre.y, depth).position.z;
+}
+
 /// How much nearer the surface gets, at most, that ends in a pixel, within the next one.
 float HaloCut::riseAt(std::size_t owner) const
 {
@@ -54,11 +69,7 @@ float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
   if (!(layers_.halo[index] > 0.0f)) return 0.0f;
   const std::size_t owner = layers_.haloOwner[index];
   const HaloBorder border(scene_, layers_, owner);
-  float distance = HaloBorder::kBehindAll;
-  if (depth <= 1.0f) {
-    const Vec2f centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
-    distance = -layers_.toView->at(centre.x, centre.y, depth).position.z;
-  }
+  const float distance = distanceAt(x, y, depth);
   const auto columns = static_cast<std::size_t>(layers_.width);
   const auto dx = static_cast<float>(x - static_cast<int>(owner % columns));
   const auto dy = static_cast<float>(y - static_cast<int>(owner / columns));
@@ -70,6 +81,23 @@ float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
   if (width == 0.0f) return 0.0f;
   const float share = border.shareOf(width, dx, dy);
   return share > 0.0f ? share : 0.0f;
+}
+
+HaloShare HaloCut::overPane(int x, int y, float depth, std::uint32_t instance) const
+{
+  const std::size_t index = layers_.indexOf(x, y);
+  std::size_t owner = layers_.haloOwner[index];
+  float share = shareAt(x, y, depth, instance);
+  if (layers_.ends[index] != 0) {
+    const HaloBorder border(scene_, layers_, index);
+    const float ofRest = border.shareOfRest(border.widthOver(distanceAt(x, y, depth)));
+    if (ofRest > share) {
+      share = ofRest;
+      owner = index;
+    }
+  }
+  if (!(share > 0.0f)) return {0, {0, 0, 0}};
+  return {share, scene_.instances[layers_.instance[owner]].style.cues.halo.color};
 }
 
 }  // namespace limn

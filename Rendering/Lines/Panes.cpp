@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/Panes.h"
 
-#include "Rendering/Base/FullIntensity.h"
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Lines/LinePlace.h"
 #include "Rendering/Lines/StrokePieces.h"
@@ -14,7 +13,7 @@
 namespace limn {
 namespace {
 
-/// Marks the blocks of a frame that strokes may reach.
+/// Marks the blocks of a frame that strokes and halos may reach.
 class ReachMarker {
  public:
   explicit ReachMarker(const TileGrid& grid)
@@ -47,6 +46,19 @@ class ReachMarker {
               std::max(x(s), x(t)) + reach, std::max(y(s), y(t)) + reach);
     }
   }
+  /// Pixels [x0, x1] x [y0, y1] and what lies in between; on any thread.
+  void markBox(double x0, double y0, double x1, double y1)
+  {
+    const int lastColumn = blockOf(x1, columns_), lastRow = blockOf(y1, rows_);
+    for (int row = blockOf(y0, rows_); row <= lastRow; ++row)
+      for (int column = blockOf(x0, columns_); column <= lastColumn; ++column) {
+        const int bit = row % kPerTile * kPerTile + column % kPerTile;
+        std::atomic<TileBlocks>& tile = reached_[grid_.index(column / kPerTile, row / kPerTile)];
+        const auto mask = static_cast<TileBlocks>(1u << bit);
+        if ((tile.load(std::memory_order_relaxed) & mask) == 0)
+          tile.fetch_or(mask, std::memory_order_relaxed);
+      }
+  }
   TileBlocks of(std::size_t tile) const { return reached_[tile].load(std::memory_order_relaxed); }
 
  private:
@@ -67,23 +79,49 @@ class ReachMarker {
     const double block = std::floor(pixel / kPaneBlockSide);
     return static_cast<int>(std::min(std::max(block, 0.0), count - 1.0));
   }
-  void markBox(double x0, double y0, double x1, double y1)
-  {
-    const int lastColumn = blockOf(x1, columns_), lastRow = blockOf(y1, rows_);
-    for (int row = blockOf(y0, rows_); row <= lastRow; ++row)
-      for (int column = blockOf(x0, columns_); column <= lastColumn; ++column) {
-        const int bit = row % kPerTile * kPerTile + column % kPerTile;
-        std::atomic<TileBlocks>& tile = reached_[grid_.index(column / kPerTile, row / kPerTile)];
-        const auto mask = static_cast<TileBlocks>(1u << bit);
-        if ((tile.load(std::memory_order_relaxed) & mask) == 0)
-          tile.fetch_or(mask, std::memory_order_relaxed);
-      }
-  }
 
   TileGrid grid_;
   int columns_, rows_;  ///< of blocks
   std::vector<std::atomic<TileBlocks>> reached_;
 };
+
+void markStrokes(const Scene& scene, const TileGrid& grid, int threads, ReachMarker& marker)
+{
+  constexpr std::size_t kChainsPerTask = 64;
+  for (const Instance& instance : scene.instances) {
+    const LinePlace place(scene.camera, instance.modelToWorld, grid.width, grid.height);
+    for (const LineSet& set : instance.lines)
+      parallelForEach(threads, set.chainCount(), kChainsPerTask, [&](std::size_t chain) {
+        for (std::uint32_t i = set.first[chain]; i + 1 < set.first[chain + 1]; ++i) {
+          LinePoint a, b;
+          bool clipsStart, clipsEnd;
+          if (place.place(set, set.vertex[i], set.vertex[i + 1], a, b, clipsStart, clipsEnd))
+            marker.mark(a, b, strokeReach(set.style));
+        }
+      });
+  }
+}
+
+float haloWidth(const Instance& instance)
+{
+  return hasCues(instance) ? instance.style.cues.halo.width : 0.0f;
+}
+
+/// Around the clusters of what has a halo.
+void markHalos(const PlacedScene& scene, const TileBins& bins, int threads, ReachMarker& marker)
+{
+  constexpr std::size_t kClustersPerTask = 4096;
+  for (const PlacedInstance& placed : scene.instances) {
+    const float width = haloWidth(*placed.instance);
+    if (!(width > 0.0f)) continue;
+    const double reach = std::ceil(static_cast<double>(width)) + 1.0;
+    parallelForEach(threads, placed.mesh().clusters.size(), kClustersPerTask, [&](std::size_t c) {
+      const ClusterBounds& box = bins.bounds[placed.firstCluster + c];
+      if (!box.empty())
+        marker.markBox(box.x0 - reach, box.y0 - reach, box.x1 + reach, box.y1 + reach);
+    });
+  }
+}
 
 }  // namespace
 
@@ -113,7 +151,7 @@ LineColor TilePanes::before(const Pixel& pixel, Vec3f color, float depth,
                             std::uint32_t instance) const
 {
   Vec3f colors = {0, 0, 0}, radiances = {0, 0, 0};
-  std::size_t next = pixel.firstList == 0 ? 0 : listEnd_[pixel.firstList - 1];
+  std::size_t next = firstPane(pixel);
   for (std::uint32_t list = 0; list < pixel.lists; ++list) {
     LineColor seen = {full(color), color};
     for (; next < listEnd_[pixel.firstList + list]; ++next) {
@@ -126,32 +164,20 @@ LineColor TilePanes::before(const Pixel& pixel, Vec3f color, float depth,
     colors = colors + seen.color;
     radiances = radiances + seen.radiance;
   }
-  const auto count = static_cast<float>(pixel.lists);
-  return {{colors.x / count, colors.y / count, colors.z / count},
-          {radiances.x / count, radiances.y / count, radiances.z / count}};
+  return meanOf(pixel, {colors, radiances});
 }
 
-Panes::Panes(const Scene& scene, const TileGrid& grid, int threads) : tiles_(grid.count())
+Panes::Panes(const PlacedScene& scene, const TileBins& bins, int threads)
+    : tiles_(bins.grid.count())
 {
-  constexpr std::size_t kChainsPerTask = 64;
-  ReachMarker marker(grid);
-  for (const Instance& instance : scene.instances) {
-    const LinePlace place(scene.camera, instance.modelToWorld, grid.width, grid.height);
-    for (const LineSet& set : instance.lines)
-      parallelForEach(threads, set.chainCount(), kChainsPerTask, [&](std::size_t chain) {
-        for (std::uint32_t i = set.first[chain]; i + 1 < set.first[chain + 1]; ++i) {
-          LinePoint a, b;
-          bool clipsStart, clipsEnd;
-          if (place.place(set, set.vertex[i], set.vertex[i + 1], a, b, clipsStart, clipsEnd))
-            marker.mark(a, b, strokeReach(set.style));
-        }
-      });
-  }
+  ReachMarker marker(bins.grid);
+  markStrokes(*scene.scene, bins.grid, threads, marker);
+  markHalos(scene, bins, threads, marker);
   for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
     tiles_[tile].reach(marker.of(tile));
 }
 
-bool Panes::areNeeded(const Scene& scene, const FrameView& frame)
+bool Panes::areBeforeLines(const Scene& scene, const FrameView& frame)
 {
   if (frame.background == Background::kKeepApart) return false;
   const Span<const Instance> all = scene.instances;
@@ -160,6 +186,16 @@ bool Panes::areNeeded(const Scene& scene, const FrameView& frame)
   return std::any_of(all.begin(), all.end(), [&](const Instance& one) {
     return !one.lines.empty() && translucent > (one.isTranslucent() ? 1 : 0);
   });
+}
+
+bool Panes::areBehindHalos(const Scene& scene, const FrameView& frame)
+{
+  if (frame.background == Background::kKeepApart) return false;
+  const Span<const Instance> all = scene.instances;
+  return std::any_of(all.begin(), all.end(),
+                     [](const Instance& one) { return one.isTranslucent(); }) &&
+         std::any_of(all.begin(), all.end(),
+                     [](const Instance& one) { return haloWidth(one) > 0.0f; });
 }
 
 }  // namespace limn

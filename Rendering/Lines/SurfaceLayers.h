@@ -69,9 +69,10 @@ struct SurfaceLayers {
   Array<Rgba8> color;
   Array<Vec3f> radiance;  ///< the mean of the layer's; empty unless the frame has radiance
   /// Share of the layer that a halo has; of nobody's pixels what it would have of a layer far
-  /// behind, if the scene has lines. Empty: there are no halos.
+  /// behind, if the scene has lines or translucent surfaces. Empty: there are no halos.
   Array<float> halo;
   Array<std::uint32_t> haloOwner;  ///< where that is not 0: the pixel whose surface has the halo
+  Array<std::uint8_t> ends;        ///< 1 where a surface with a halo ends; else 0
   bool hasIds = false;             ///< the next two are written
   Array<std::uint32_t> id;         ///< of Attributes::cellIds that of most samples, or the first of
                                    ///< these; 0: there are none

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "Rendering/FrameView.h"
+#include "Rendering/Lines/Panes.h"
+#include "Rendering/Lines/SurfaceLayers.h"
 #include "Rendering/Scene.h"
 
 #include <cstddef>
@@ -21,9 +23,15 @@ struct VeiledPixel {
 struct VeiledRadiance {
   Vec3f below, seen;
 };
+/// What halos over the translucent surfaces of a pixel change in what is seen.
+struct VeiledChange {
+  std::size_t pixel;  ///< place in VeiledTile::pixels
+  LineColor change;
+};
 struct VeiledTile {
   std::vector<VeiledPixel> pixels;
   std::vector<VeiledRadiance> radiance;  ///< one a pixel if the frame has radiance
+  std::vector<VeiledChange> changes;     ///< in the order of pixels
 };
 
 /// The translucent surfaces over a frame, tile by tile.
@@ -35,7 +43,11 @@ class Veil {
 
   explicit Veil(std::size_t tiles) : tiles_(tiles) {}
   VeiledTile& tile(std::size_t number) { return tiles_[number]; }
-  /// Where the frame's pixel became N from `below`, it becomes seen + rest (N - below).
+  /// Adds what the halos of `layers` change in panes, which get these colours. Requires: panes that
+  /// are all among the tiles' pixels.
+  void addHalos(const Scene& scene, const SurfaceLayers& layers, const TileGrid& grid, Panes& panes,
+                int threads);
+  /// Where the frame's pixel became N from `below`, it becomes seen + change + rest (N - below).
   void lay(const FrameView& frame, int threads) const;
 
  private:

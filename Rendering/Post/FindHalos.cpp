@@ -17,7 +17,7 @@ HaloFinder::HaloFinder(const CuePass& pass, const DistancePlane& distances)
     const float width = hasCues(instance) ? instance.style.cues.halo.width : 0.0f;
     width_.push_back(width);
     if (width > 0.0f) reach_ = std::max(reach_, static_cast<int>(std::ceil(width)) + 1);
-    cutsStrokes_ = cutsStrokes_ || !instance.lines.empty();
+    cutsOverNobody_ = cutsOverNobody_ || !instance.lines.empty() || instance.isTranslucent();
   }
 }
 
@@ -27,6 +27,7 @@ void HaloFinder::find()
   borders_.resize(static_cast<std::size_t>(layers.height));
   layers.halo.resize(layers.instance.size());
   layers.haloOwner.resize(layers.instance.size());
+  layers.ends.resize(layers.instance.size());
   forEachRow(pass_.threads, layers.height, [&](int y) { findBorders(y); });
   forEachRow(pass_.threads, layers.height, [&](int y) { findShares(y); });
 }
@@ -74,10 +75,14 @@ void HaloFinder::findBorders(int y)
   const SurfaceLayers& layers = pass_.layers;
   std::vector<Column>& columns = borders_[static_cast<std::size_t>(y)];
   const std::uint32_t* const instance = layers.instance.data() + layers.indexOf(0, y);
+  std::uint8_t* const ends = pass_.layers.ends.data() + layers.indexOf(0, y);
+  std::fill_n(ends, static_cast<std::size_t>(layers.width), std::uint8_t{0});
   for (int x = 0; x < layers.width; ++x) {
     if (instance[x] == kNobody || !(width_[instance[x]] > 0.0f)) continue;
     const End end = endAt(x, y);
-    if (end != End::kNone) columns.push_back({x, end == End::kBeforeItself});
+    if (end == End::kNone) continue;
+    ends[x] = 1;
+    columns.push_back({x, end == End::kBeforeItself});
   }
 }
 
@@ -122,7 +127,7 @@ void HaloFinder::addHalo(int y, Column end, int row)
   if (y - row > reach || row - y > reach) return;
   for (int x = std::max(column - reach, 0); x <= std::min(column + reach, layers.width - 1); ++x) {
     const float other = distances_.row(y)[x];
-    if (other == DistancePlane::kFar && !cutsStrokes_) continue;
+    if (other == DistancePlane::kFar && !cutsOverNobody_) continue;
     const float width = border.widthOver(other);
     if (width == 0.0f) continue;
     const float share = border.shareOf(width, static_cast<float>(x - column), dy);
@@ -141,7 +146,6 @@ float HaloFinder::shareBehind(Column end, int y) const
   const int x = end.x;
   const std::size_t before = pass_.layers.indexOf(x, y);
   const HaloBorder border(pass_.scene, pass_.layers, before);
-  if (border.covered == 1.0f) return 0.0f;
   float most = 0.0f;
   const int x0 = std::max(x - 1, 0), x1 = std::min(x + 1, distances_.width - 1);
   const int y0 = std::max(y - 1, 0), y1 = std::min(y + 1, distances_.height - 1);
@@ -154,8 +158,7 @@ float HaloFinder::shareBehind(Column end, int y) const
           !areOneSurface(pass_.layers.indexOf(column, row), before, end.isBeforeItself))
         most = width;
     }
-  const float share = most / (1.0f - border.covered);
-  return share < 1.0f ? share : 1.0f;
+  return border.shareOfRest(most);
 }
 
 }  // namespace limn

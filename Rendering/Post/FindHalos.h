@@ -16,7 +16,7 @@ class HaloFinder {
   HaloFinder(const CuePass& pass, const DistancePlane& distances);
 
   bool any() const { return reach_ > 0; }
-  /// Fills SurfaceLayers::halo and haloOwner.
+  /// Fills SurfaceLayers::halo, haloOwner and ends.
   void find();
 
   /// Requires: SurfaceLayers::halo there is not 0.
@@ -51,9 +51,9 @@ class HaloFinder {
 
   const CuePass& pass_;
   const DistancePlane& distances_;
-  int reach_ = 0;  ///< of the widest halo, in pixels
-  bool cutsStrokes_ = false;
-  std::vector<float> width_;  ///< by instance; 0: none
+  int reach_ = 0;                ///< of the widest halo, in pixels
+  bool cutsOverNobody_ = false;  ///< lines or translucent surfaces, which may be there
+  std::vector<float> width_;     ///< by instance; 0: none
   std::vector<std::vector<Column>> borders_;
 };
 

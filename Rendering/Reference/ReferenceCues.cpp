@@ -129,7 +129,10 @@ class Cues {
       if (hasCues(instance) && instance.style.cues.unsharp.strength > 0)
         blocks_.try_emplace(instance.style.cues.unsharp.radius, frame_, layers_,
                             instance.style.cues.unsharp.radius * diagonal_);
-    forEachPixel([&](Pixel p) { borders_[index(p)] = borderAt(p); });
+    forEachPixel([&](Pixel p) {
+      borders_[index(p)] = borderAt(p);
+      layers_[index(p)].endsHere = borders_[index(p)].overOthers;
+    });
     for (int y = 0; y < frame_.height; ++y)
       for (int x = 0; x < frame_.width; ++x)
         findHalo({x, y});
@@ -454,6 +457,48 @@ class Cues {
 bool hasCues(const Instance& instance)
 {
   return instance.style.cues.any() && instance.hull == nullptr && !instance.isTranslucent();
+}
+
+const Halo& HalosOverPanes::haloOf(const Layer& border) const
+{
+  return scene_.instances[border.instance].style.cues.halo;
+}
+
+float HalosOverPanes::coveredShare(const Layer& border) const
+{
+  return static_cast<float>(border.count) / static_cast<float>(scene_.samples);
+}
+
+/// How wide the halo of a surface that ends somewhere is over what lies so far.
+float HalosOverPanes::widthOver(float distance, const Layer& border) const
+{
+  const Halo& halo = haloOf(border);
+  const float behind = distance - -border.point.position.z;
+  if (!(behind > 0)) return 0;
+  const float t = std::min(1.0f, behind / (halo.depth * halo.width * border.point.pixel));
+  return halo.width * ((t * t) * (3.0f - 2.0f * t));
+}
+
+HaloOverPane HalosOverPanes::at(int x, int y, float depth) const
+{
+  const float middleX = static_cast<float>(x) + 0.5f, middleY = static_cast<float>(y) + 0.5f;
+  const float distance = -toView_.at(middleX, middleY, depth).position.z;
+  const Layer& here = layers_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
+  HaloOverPane result;
+  if (here.halo > 0) {
+    const Layer& border = layers_[here.haloOf];
+    const auto dx = static_cast<float>(x - static_cast<int>(here.haloOf % width_));
+    const auto dy = static_cast<float>(y - static_cast<int>(here.haloOf / width_));
+    const float beyond = std::sqrt(dx * dx + dy * dy) - (coveredShare(border) - 0.5f);
+    const float width = widthOver(distance, border);
+    if (width > 0) result = {std::clamp(width + 0.5f - beyond, 0.0f, 1.0f), haloOf(border).color};
+  }
+  if (here.endsHere && here.count < scene_.samples) {
+    const float left = 1.0f - coveredShare(here);
+    const float share = std::min(1.0f, widthOver(distance, here) / left);
+    if (share > result.share) result = {share, haloOf(here).color};
+  }
+  return result;
 }
 
 void drawCues(const Scene& scene, const FrameView& frame, std::vector<Layer>& layers)

@@ -15,4 +15,34 @@ bool hasCues(const Instance& instance);
 /// row by row; their colours change with the frame's, and they learn of the halos over them.
 void drawCues(const Scene& scene, const FrameView& frame, std::vector<Layer>& layers);
 
+/// What a halo has of a translucent surface.
+struct HaloOverPane {
+  float share = 0;
+  Vec3f color = {0, 0, 0};
+};
+
+/// The halos over a frame, once drawCues() has found them.
+class HalosOverPanes {
+ public:
+  HalosOverPanes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
+      : scene_(scene),
+        width_(static_cast<std::size_t>(frame.width)),
+        layers_(layers),
+        toView_(scene.camera, frame.width, frame.height)
+  {
+  }
+  /// Of a translucent surface in a pixel, at a depth of the window.
+  HaloOverPane at(int x, int y, float depth) const;
+
+ private:
+  float widthOver(float distance, const Layer& border) const;
+  const Halo& haloOf(const Layer& border) const;
+  float coveredShare(const Layer& border) const;
+
+  const Scene& scene_;
+  std::size_t width_;
+  const std::vector<Layer>& layers_;
+  ScreenToView toView_;
+};
+
 }  // namespace limn::reference

@@ -27,6 +27,7 @@ struct Layer {
   int idSamples = 0;     ///< how many of `count` show that
   float halo = 0;  ///< share of it that a halo has; of nobody's what it had of a layer far off
   std::size_t haloOf = 0;  ///< if that is not 0: the pixel whose surface has the halo
+  bool endsHere = false;   ///< the surface has a halo and ends here
 };
 
 /// Whether two points lie on different surfaces of one instance: one is off the other's plane by

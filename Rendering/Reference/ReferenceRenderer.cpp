@@ -361,12 +361,12 @@ class Picture {
         resolve(x, y);
   }
 
+  /// Translucent surfaces behind these halos, which live as long, have their colours from here on.
+  void setHalos(const HalosOverPanes* halos) { halos_ = halos; }
+
   /// A line of an instance behind the translucent surfaces of others.
   SeenLine behindPanes(int x, int y, Vec3f line, float depth, std::uint32_t instance)
   {
-    const auto full = [](Vec3f c) {
-      return Vec3f{std::min(c.x, 1.0f), std::min(c.y, 1.0f), std::min(c.z, 1.0f)};
-    };
     if (!hasLayers(x, y)) return {full(line), line};
     const std::map<Owner, Vec4f> shaded = shadeLayers(x, y);
     // Where all samples show the same, the first one's depths are those of all.
@@ -377,7 +377,7 @@ class Picture {
       for (const Sample& layer : layers(x, y, s)) {
         if (layer.depth > depth || layer.owner.instance == instance) continue;
         const Vec4f c = shaded.at(layer.owner);
-        const Vec3f own = {c.x, c.y, c.z};
+        const Vec3f own = haloed(x, y, layer.depth, {c.x, c.y, c.z});
         color = full(own) * c.w + color * (1.0f - c.w);
         radiance = own * c.w + radiance * (1.0f - c.w);
       }
@@ -390,31 +390,67 @@ class Picture {
   }
 
   /// Lays the translucent surfaces over what is below them by now: what is seen changes by the
-  /// share of what is below times its change.
-  void layVeil() const
+  /// share of what is below times its change, and by what halos make of the surfaces.
+  void layVeil()
   {
     for (const Veiled& veiled : veiled_) {
-      const auto share = [&](std::uint8_t seen, std::uint8_t below, std::uint8_t now) {
+      const SeenLine halo = changeByHalos(static_cast<int>(veiled.index % frame_.rowStride),
+                                          static_cast<int>(veiled.index / frame_.rowStride));
+      const auto share = [&](std::uint8_t seen, float more, std::uint8_t below, std::uint8_t now) {
         const float change = static_cast<float>(now) - static_cast<float>(below);
-        const float sum = static_cast<float>(seen) + veiled.rest * change;
+        const float sum = static_cast<float>(seen) + more * 255.0f + veiled.rest * change;
         return static_cast<std::uint8_t>(std::nearbyint(std::clamp(sum, 0.0f, 255.0f)));
       };
       Rgba8& pixel = frame_.color[veiled.index];
-      pixel = {share(veiled.seen.r, veiled.below.r, pixel.r),
-               share(veiled.seen.g, veiled.below.g, pixel.g),
-               share(veiled.seen.b, veiled.below.b, pixel.b),
-               share(veiled.seen.a, veiled.below.a, pixel.a)};
+      pixel = {share(veiled.seen.r, halo.color.x, veiled.below.r, pixel.r),
+               share(veiled.seen.g, halo.color.y, veiled.below.g, pixel.g),
+               share(veiled.seen.b, halo.color.z, veiled.below.b, pixel.b),
+               share(veiled.seen.a, 0, veiled.below.a, pixel.a)};
       const Vec3f now = radianceAt(veiled.index);
-      const auto changed = [&](float seen, float below, float present) {
-        return radiance(seen + veiled.rest * (present - below));
-      };
-      setRadiance(veiled.index, {changed(veiled.seenRadiance.x, veiled.belowRadiance.x, now.x),
-                                 changed(veiled.seenRadiance.y, veiled.belowRadiance.y, now.y),
-                                 changed(veiled.seenRadiance.z, veiled.belowRadiance.z, now.z)});
+      const Vec3f seen = veiled.seenRadiance + halo.radiance, below = veiled.belowRadiance;
+      setRadiance(veiled.index, {radiance(seen.x + veiled.rest * (now.x - below.x)),
+                                 radiance(seen.y + veiled.rest * (now.y - below.y)),
+                                 radiance(seen.z + veiled.rest * (now.z - below.z))});
     }
   }
 
  private:
+  static Vec3f full(Vec3f c)
+  {
+    return {std::min(c.x, 1.0f), std::min(c.y, 1.0f), std::min(c.z, 1.0f)};
+  }
+
+  /// The colour of a translucent surface at a depth.
+  Vec3f haloed(int x, int y, float depth, Vec3f color) const
+  {
+    if (halos_ == nullptr) return color;
+    const HaloOverPane halo = halos_->at(x, y, depth);
+    return halo.share > 0 ? color + (halo.color - color) * halo.share : color;
+  }
+
+  /// What halos change in what is seen of the translucent surfaces of a pixel.
+  SeenLine changeByHalos(int x, int y)
+  {
+    SeenLine sum = {{0, 0, 0}, {0, 0, 0}};
+    if (halos_ == nullptr) return sum;
+    const std::map<Owner, Vec4f> shaded = shadeLayers(x, y);
+    const std::size_t samples = haveSameLayers(x, y) ? 1 : offsets_.size();
+    for (std::size_t s = 0; s < samples; ++s) {
+      Vec3f color = {0, 0, 0}, bright = {0, 0, 0};
+      for (const Sample& layer : layers(x, y, s)) {
+        const Vec4f c = shaded.at(layer.owner);
+        const Vec3f before = {c.x, c.y, c.z}, after = haloed(x, y, layer.depth, before);
+        color = (full(after) - full(before)) * c.w + color * (1.0f - c.w);
+        bright = (after - before) * c.w + bright * (1.0f - c.w);
+      }
+      sum.color = sum.color + color;
+      sum.radiance = sum.radiance + bright;
+    }
+    const auto n = static_cast<float>(samples);
+    return {{sum.color.x / n, sum.color.y / n, sum.color.z / n},
+            {sum.radiance.x / n, sum.radiance.y / n, sum.radiance.z / n}};
+  }
+
   std::ptrdiff_t frameIndex(int x, int y) const { return y * frame_.rowStride + x; }
   Sample& sample(int x, int y, std::size_t s)
   {
@@ -857,6 +893,7 @@ class Picture {
   std::vector<std::vector<Sample>> layers_;  ///< empty if nothing is translucent
   bool isVeiled_ = false;
   std::vector<Veiled> veiled_;
+  const HalosOverPanes* halos_ = nullptr;
 };
 
 /// Whether outlines or cues change what translucent surfaces lie before.
@@ -899,6 +936,8 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   if (areCued || areOutlined) layers = picture.layersOfAll();
   if (areCued) drawCues(scene, frame, layers);
   if (areOutlined) drawOutlines(scene, frame, layers);
+  const HalosOverPanes halos(scene, frame, layers);
+  if (hasVeil && areCued) picture.setHalos(&halos);
   if (hasVeil) picture.layVeil();
   PanesOver panes;
   if (hasPanes(scene, frame))

@@ -567,6 +567,89 @@ TEST_P(DepthCuesOn, HalosCutStrokesOfTheirOwnInstanceFarBehind)
   EXPECT_TRUE(areEqual(at(drawOver(stage, GetParam()), 18, 31), kBackground)) << "on no surface";
 }
 
+/// What halos of a color make of a pane's half opacity over something.
+int half(float own, int below)
+{
+  return static_cast<int>(std::nearbyint(127.5f * own + 0.5f * static_cast<float>(below)));
+}
+
+TEST_P(DepthCuesOn, HalosCutTranslucentSurfacesBehind)
+{
+  const OwnedMesh wall = sheet({-9, -9, 0}, {90, 0, 0}, {0, 90, 0});
+  const OwnedMesh post = sheet({28, -9, 60}, {8, 0, 0}, {0, 90, 0});
+  for (const int samples : {1, 4})
+    for (const bool hasWall : {false, true})
+      for (const double depth : {20.0, 90.0}) {
+        const OwnedMesh pane = sheet({-9, 10, depth}, {90, 0, 0}, {0, 40, 0});
+        Stage stage = flatStage(64, samples);
+        stage.instances = {painted(pane, {0, 0, 1}), painted(post, {1, 0, 0})};
+        stage.instances[0].material.opacity = 0.5f;
+        if (hasWall) stage.instances.push_back(painted(wall, {0, 0, 0}));
+        const Picture plain = drawOver(stage, GetParam());
+        stage.instances[1].style.cues.halo = {3, 4, {0, 1, 0}};
+        const Picture picture = drawOver(stage, GetParam());
+        const int below = hasWall ? 255 : kBackground.g;
+        const double width = depth < 60 ? 3 : 0;
+        for (const int x : {23, 24, 25, 26, 27, 36, 37, 38, 39, 40}) {
+          const double distance = x < 28 ? 28 - (x + 0.5) : x + 0.5 - 36;
+          const auto share = static_cast<float>(std::clamp(width + 0.5 - distance, 0.0, 1.0));
+          const bool isBelowCut = hasWall && distance < 3;
+          EXPECT_NEAR(at(picture, x, 30).g,
+                      half(share, isBelowCut ? below
+                                  : hasWall  ? 0
+                                             : below),
+                      1)
+              << x << ", depth " << depth << ", " << samples << " samples";
+          EXPECT_NEAR(at(picture, x, 30).b, half(1 - share, hasWall ? 0 : kBackground.b), 1)
+              << x << ", depth " << depth << ", " << samples << " samples";
+        }
+        EXPECT_TRUE(areEqual(at(picture, 32, 30), at(plain, 32, 30))) << "the post";
+        EXPECT_TRUE(hasWall || areEqual(at(picture, 26, 5), kBackground)) << "no background";
+      }
+}
+
+// At the border of what has the halo, too, of which the pixels have parts.
+TEST_P(DepthCuesOn, HalosOverTranslucentSurfacesCoverWidthTimesLength)
+{
+  constexpr int kSide = 96;
+  for (const double degrees : {0.0, 11.0, 31.0})
+    for (const float width : {1.0f, 2.5f, 5.0f}) {
+      const Haloed scene(kSide, 20, degrees, 60);
+      Stage stage = scene.stage(kSide, 8, width);
+      stage.instances[0] = painted(scene.wall, {0, 1, 0}, 1);
+      stage.instances[0].material.opacity = 0.5f;
+      const Picture picture = draw(stage);
+      double red = 0, green = 0;
+      for (const Rgba8 c : picture.color) {
+        red += c.r / 127.5;
+        green += c.g / 127.5;
+      }
+      const double w = width, gap = 4 * 40 * w + kPi * w * w;
+      EXPECT_NEAR(red / gap, 1, w < 2 ? 0.07 : 0.02) << degrees << " degrees, width " << width;
+      EXPECT_NEAR(green, kSide * kSide - 1600 - red, 40) << degrees << " degrees, width " << width;
+    }
+}
+
+TEST_P(DepthCuesOn, LinesBehindPanesBehindHalosAreSeenThroughTheirColours)
+{
+  const OwnedMesh pane = sheet({-9, -9, 40}, {90, 0, 0}, {0, 90, 0});
+  const OwnedMesh bar = sheet({-9, 28, 20}, {90, 0, 0}, {0, 8, 0});
+  const OwnedMesh post = sheet({28.0, -9, 60}, {8, 0, 0}, {0, 90, 0});
+  const Stroke line({-9, 32, 20}, {81, 32, 20}, 6);
+  Stage stage = flatStage(64, 1);
+  stage.instances = {painted(bar, {0, 0, 0}), painted(pane, {0, 0, 1}), painted(post, {0, 0, 0})};
+  stage.instances[0].lines = line.sets;
+  stage.instances[1].material.opacity = 0.5f;
+  stage.instances[2].style.cues.halo = {2.5f, 1, {0, 1, 0}};
+  const Picture picture = drawOver(stage, GetParam());
+  // Half of the pixel 25 has the gap; the pane is half blue, half green there, the line half gone.
+  EXPECT_EQ(at(picture, 24, 31).r, 128);
+  EXPECT_EQ(at(picture, 26, 31).r, 0);
+  EXPECT_NEAR(at(picture, 25, 31).r, 64, 1);
+  EXPECT_NEAR(at(picture, 25, 31).b, 64, 1);
+  EXPECT_NEAR(at(picture, 25, 31).g, 64 + 32, 1);
+}
+
 // Its contour lies some ten pixels behind what the last pixels before it show, and, seen from near,
 // some fifty.
 TEST_P(DepthCuesOn, HalosLeaveTheContourOfASphere)

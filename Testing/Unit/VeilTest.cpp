@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Rendering/Binning/BinClusters.h"
 #include "Rendering/Lines/Panes.h"
 #include "Testing/Unit/TestScene.h"
 
@@ -260,6 +261,32 @@ TEST(Veil, LooksAtNoMoreThanTheLayersOfAPixel)
   EXPECT_GT(color.r, 127);
 }
 
+Panes panesOf(const Stage& stage)
+{
+  const Scene scene = stage.scene();
+  const PlacedScene placed = placeScene(scene, stage.width, stage.height);
+  TileBins bins;
+  EXPECT_TRUE(binClusters(placed, 2, bins).ok());
+  return Panes(placed, bins, 2);
+}
+
+TEST(Panes, AreKeptOnlyWhereAHaloMayBe)
+{
+  Stage stage = testing::pixelStage(200, 1);
+  const OwnedMesh all = testing::sheet({0, 0, -1}, {200, 0, 0}, {0, 200, 0});
+  const OwnedMesh post = testing::sheet({10, 70, 0}, {50, 0, 0}, {0, 20, 0});
+  stage.instances = {pane(all, 0.5f), pane(post, 1)};
+  Halo& halo = stage.instances[1].style.cues.halo;
+  for (const float width : {0.0f, 1.0f, 8.0f}) {
+    halo.width = width;
+    const Panes panes = panesOf(stage);
+    for (std::size_t tile = 0; tile < 16; ++tile)
+      EXPECT_EQ(panes.tile(tile).isReached(),
+                width > 0 && (tile == 4 || (width == 8 && (tile == 0 || tile == 1 || tile == 5))))
+          << tile << ", width " << width;
+  }
+}
+
 TEST(Panes, AreKeptOnlyWhereALineMayBe)
 {
   const Line line(-0.5f, kBlack);
@@ -267,14 +294,13 @@ TEST(Panes, AreKeptOnlyWhereALineMayBe)
   const OwnedMesh all = testing::sheet({0, 0, 0}, {200, 0, 0}, {0, 200, 0});
   stage.instances = {pane(all, 0.5f)};
   stage.instances[0].lines = line.sets;
-  const Scene scene = stage.scene();
-  const Panes panes(scene, {200, 200}, 2);
+  const Panes panes = panesOf(stage);
   for (std::size_t tile = 0; tile < 16; ++tile)
     EXPECT_EQ(panes.tile(tile).isReached(), tile == 0) << tile;
   Line far(-0.5f, kBlack);
   far.points[1].x = 1e20f;
   stage.instances[0].lines = far.sets;
-  EXPECT_TRUE(Panes(stage.scene(), {200, 200}, 2).tile(3).isReached());
+  EXPECT_TRUE(panesOf(stage).tile(3).isReached());
 }
 
 }  // namespace
