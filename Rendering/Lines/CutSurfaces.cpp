@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The part of EdgeFinder that tells where two instances cut each other.
+// The part of EdgeFinder that tells how borders between two instances lie to them: whether one ends
+// before the other, or they cut each other.
 #include "Rendering/Lines/FindEdges.h"
 
 #include <algorithm>
@@ -10,49 +11,93 @@
 namespace limn {
 namespace {
 
-/// How many pixels a surface has to go on where another hides it, by its normals, whose places
-/// within their pixels differ.
+/// Up to how many pixels from a surface's own outline its line lies on its side, all of it.
 constexpr float kNearestOutline = 3;
-/// Pixels between those that tell how normals turn, so that these places matter less.
+/// Pixels between those that tell how normals turn, so that their places within their pixels matter
+/// less; nearer ones where the surface is narrower.
 constexpr int kApart = 4;
+/// Within how many pixels of a pair the planes that they show have to meet, or how many pixels off
+/// each other these may be, for the line to lie on both sides in part.
+constexpr float kMeetingReach = 2, kMeetingDepth = 0.5f;
+/// Beside what has no line, a line is whole unless so much of it, as one part of as many, or more
+/// would be on that side.
+constexpr float kFade = 4;
+
+float absolute(float x)
+{
+  return x < 0.0f ? -x : x;
+}
+
+/// 0 and 1 if it is less or more.
+float clamped(float x)
+{
+  return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+}
 
 }  // namespace
 
-/// Whether the surfaces that two pixels of two instances show meet between them, rather than that
-/// one ends before the other.
-bool EdgeFinder::areCut(const Pixel& first, const Pixel& second) const
+/// How far the surfaces that two pixels of two instances show are from meeting between them: 0
+/// where they do, 1 where one ends well before the other.
+float EdgeFinder::gapBetween(const Pixel& first, const Pixel& second) const
 {
-  if (first.instance == second.instance) return false;
-  if (!isOutlined(first.instance) && !isOutlined(second.instance)) return false;
   const SurfacePatch &a = first.layer, &b = second.layer;
   const PlaneDistances distances(a, b);
-  const bool isLess = distances.ofFirst < distances.ofSecond;
-  const float less = isLess ? distances.ofFirst : distances.ofSecond;
-  const float more = isLess ? distances.ofSecond : distances.ofFirst;
-  const float noise = a.point.rounding < b.point.rounding ? b.point.rounding : a.point.rounding;
-  if (!(more > noise) || !(less >= -(noise + ImageOutline::kBesideCut * more))) return false;
+  if (distances.ofFirst > 0.0f && distances.ofSecond > 0.0f) return 0.0f;
+  const float ofFirst = absolute(distances.ofFirst), ofSecond = absolute(distances.ofSecond);
+  const float more = ofFirst < ofSecond ? ofSecond : ofFirst;
+  const float offRidge = more / tolerance(first, second) - 1.0f;
+  if (!(distances.ofFirst > 0.0f || distances.ofSecond > 0.0f)) return clamped(offRidge);
+  // Along the gaze, but for a common factor, at either pixel.
   const Vec3f eye = towardEye(a, b);
-  return isSteeper(a, b) ? goesOn(first, second, eye) : goesOn(second, first, eye);
+  const float atFirst = ofFirst * dot(a.plane, eye), atSecond = ofSecond * dot(b.plane, eye);
+  const float less = atFirst < atSecond ? atFirst : atSecond;
+  const float pixels = less / (absolute(atFirst - atSecond) * kMeetingReach);
+  const float noise = a.point.rounding < b.point.rounding ? b.point.rounding : a.point.rounding;
+  const float pixel = a.point.pixel < b.point.pixel ? b.point.pixel : a.point.pixel;
+  const float off = more / (noise + kMeetingDepth * pixel);
+  const float gap = pixels < off ? pixels : off;
+  // They meet at that pixel which lies in the other's plane: in a groove if that is the one behind.
+  const bool isAtRidge = distances.ofFirst > 0.0f ? atFirst < atSecond : atSecond < atFirst;
+  return clamped(isAtRidge && gap < offRidge ? offRidge : gap);
 }
 
-/// Whether the surface that a pixel shows goes on, behind another, well beyond the next pixel.
-bool EdgeFinder::goesOn(const Pixel& pixel, const Pixel& next, Vec3f eye) const
+/// How the line between what two pixels of two instances show lies to their border: by what share
+/// of its width more than half of it is on the first's side. 0.5 where that ends before the
+/// second's, -0.5 the other way round; in between where they cut each other, near there, or both.
+float EdgeFinder::leanOf(const Pixel& first, const Pixel& second) const
 {
-  const float steep = dot(pixel.layer.plane, eye);
-  if (!(steep * steep * ImageOutline::kSteepestCut >= dot(eye, eye))) return false;
-  const int x = pixel.x + (pixel.x - next.x) * kApart, y = pixel.y + (pixel.y - next.y) * kApart;
-  if (!isInstanceAt(x, y, pixel.instance)) {
-    const PlaneDistances distances(pixel.layer, next.layer);
-    const float most = tolerance(pixel, next);
-    return distances.ofFirst <= most && distances.ofSecond <= most;
-  }
-  return fall(pixel, eye) * kNearestOutline <= 1.0f;
+  const bool isLined = isOutlined(first.instance) || isOutlined(second.instance);
+  const float gap = isLined ? gapBetween(first, second) : 1.0f;
+  const float whole = gap > 0.0f && isBefore(first, second) ? 0.5f : -0.5f;
+  if (!(gap < 1.0f)) return whole;
+  const Vec3f eye = towardEye(first.layer, second.layer);
+  const float more = nearness(first, eye) - nearness(second, eye);
+  const float lean = more > -0.5f ? (more < 0.5f ? more : 0.5f) : -0.5f;
+  return gap > 0.0f ? lean + (whole - lean) * gap : lean;
+}
+
+/// What part of its own line a surface draws, with what is beyond the border.
+float EdgeFinder::partOf(const Pixel& beyond, float lean) const
+{
+  const float part = 0.5f + lean;
+  return isOutlined(beyond.instance) ? part : clamped(kFade * part);
 }
 
 bool EdgeFinder::isInstanceAt(int x, int y, std::uint32_t instance) const
 {
   const bool isInside = x >= 0 && y >= 0 && x < layers_.width && y < layers_.height;
   return isInside && layers_.instance[layers_.indexOf(x, y)] == instance;
+}
+
+/// Of a pixel to its surface's own outline: 0.5 or more where that is within kNearestOutline pixels
+/// or its plane is too steep to tell, 0 far from it.
+float EdgeFinder::nearness(const Pixel& pixel, Vec3f eye) const
+{
+  const float cosine = dot(pixel.layer.plane, eye);
+  const float steep = 2.0f - cosine * cosine * (2.0f * ImageOutline::kSteepestCut) / dot(eye, eye);
+  const float near = fall(pixel, eye);
+  const float most = steep > near ? (steep < 1.0f ? steep : 1.0f) : near;
+  return most * (0.5f * kNearestOutline);
 }
 
 /// One over the distance, in pixels, at which a rounded surface comes to its outline, by how its
@@ -65,79 +110,31 @@ float EdgeFinder::fall(const Pixel& pixel, Vec3f eye) const
     return cosine * cosine;
   };
   const float here = squaredAt(pixel.index);
-  const auto most = [&](int dx, int dy) {
-    float result = 0.0f;
-    for (const int way : {-kApart, kApart}) {
-      const int x = pixel.x + way * dx, y = pixel.y + way * dy;
-      if (!isInstanceAt(x, y, pixel.instance)) continue;
-      const float rise = squaredAt(layers_.indexOf(x, y)) - here;
-      if (rise > result) result = rise;
+  const auto riseOn = [&](int dx, int dy) {
+    for (int apart = kApart; apart > 0; apart /= 2) {
+      const int x = pixel.x + apart * dx, y = pixel.y + apart * dy;
+      if (isInstanceAt(x, y, pixel.instance))
+        return (squaredAt(layers_.indexOf(x, y)) - here) * static_cast<float>(kApart / apart);
     }
-    return result;
+    return 0.0f;
+  };
+  const auto most = [&](int dx, int dy) {
+    const float first = riseOn(-dx, -dy), second = riseOn(dx, dy);
+    const float more = first < second ? second : first;
+    return more > 0.0f ? more : 0.0f;
   };
   const float x = most(1, 0), y = most(0, 1);
   const float slope = std::sqrt(x * x + y * y), whole = here * static_cast<float>(kApart);
   return slope < whole ? slope / whole : 1.0f;
 }
 
-/// The line goes over into that of the outline of either, which lies on its side.
-float EdgeFinder::leanOfCut(const Pixel& first, const Pixel& second) const
-{
-  const Vec3f eye = towardEye(first.layer, second.layer);
-  const float more = (fall(first, eye) - fall(second, eye)) * (0.5f * kNearestOutline);
-  const float lean = more > -0.5f ? (more < 0.5f ? more : 0.5f) : -0.5f;
-  return first.instance < second.instance ? lean : -lean;
-}
-
-/// Where they meet, on the way from one to the other.
+/// Where they meet, on the way from one to the other, or half way where one ends before the other.
 Vec2f EdgeFinder::cutPlace(const Pixel& first, const Pixel& second) const
 {
   const SurfacePatch &a = first.layer, &b = second.layer;
-  const float way = wayToMeeting(a, b);
-  const float t = way > 0.0f ? (way < 1.0f ? way : 1.0f) : 0.0f;
+  const float meeting = clamped(wayToMeeting(a, b));
+  const float t = meeting + (0.5f - meeting) * gapBetween(first, second);
   return {a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t};
-}
-
-void EdgeFinder::addCut(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const
-{
-  const Pixel other = pixelAt(x, y);
-  found.push_back({cutPlace(pixel, other),
-                   pixel.x,
-                   static_cast<std::uint32_t>(pixel.index),
-                   {x, y},
-                   {pixel.instance, other.instance},
-                   false,
-                   false,
-                   leanOfCut(pixel, other)});
-}
-
-/// Of a pixel whose instance has no lines.
-void EdgeFinder::addCuts(const Pixel& pixel, CreaseRow& creases) const
-{
-  const auto addTo = [&](int x, int y, std::vector<CreaseCrossing>& found) {
-    if (x >= layers_.width || y >= layers_.height) return;
-    const std::uint32_t instance = layers_.instance[layers_.indexOf(x, y)];
-    if (instance != kNobody && isOutlined(instance) && areCut(pixel, pixelAt(x, y)))
-      addCut(pixel, x, y, found);
-  };
-  addTo(pixel.x + 1, pixel.y, creases.toRight);
-  addTo(pixel.x, pixel.y + 1, creases.toAbove);
-}
-
-/// Of its samples, how many show its layer, or what this is cut by.
-float EdgeFinder::shareUpToBorder(const Pixel& pixel) const
-{
-  const float own = shareShown(pixel);
-  if (!(own < 1.0f) || layers_.covered[pixel.index] == layers_.countAt(pixel.index)) return own;
-  const std::uint32_t wanted = layers_.other[pixel.index];
-  if (wanted == pixel.instance) return own;
-  const int x1 = std::min(pixel.x + 1, layers_.width - 1);
-  const int y1 = std::min(pixel.y + 1, layers_.height - 1);
-  for (int y = std::max(pixel.y - 1, 0); y <= y1; ++y)
-    for (int x = std::max(pixel.x - 1, 0); x <= x1; ++x)
-      if (layers_.instance[layers_.indexOf(x, y)] == wanted && areCut(pixel, pixelAt(x, y)))
-        return static_cast<float>(layers_.covered[pixel.index]) / samples_;
-  return own;
 }
 
 }  // namespace limn

@@ -77,8 +77,7 @@ void joinSquares(const std::vector<CreaseRow>& crossings, const Numbers& numbers
     std::size_t count = 0;
     const auto take = [&](const CreaseCrossing* crossing, std::size_t number) {
       for (std::size_t i = 0; i < count; ++i)
-        if (areAlike(met[i].crossing->sides, crossing->sides))
-          components.join(met[i].number, number);
+        if (met[i].crossing->instance == crossing->instance) components.join(met[i].number, number);
       met[count++] = {crossing, number};
     };
     if (sides.below != nullptr) take(sides.below, numbers.ofRight(row, *sides.below));

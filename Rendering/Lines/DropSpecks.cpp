@@ -10,18 +10,20 @@
 namespace limn {
 namespace {
 
-/// Joins a row's edges to each other and to those of the row below, which come before them.
+/// Joins a row's edges to each other and to those of the row below, which come before them; not
+/// those of what pixels do not show, which are at borders.
 void joinRow(const SurfaceLayers& layers, const std::vector<EdgePoint>& row, std::size_t first,
              const std::vector<EdgePoint>& below, Components& components)
 {
   const auto areAlike = [&](const EdgePoint& a, const EdgePoint& b) {
-    return layers.instance[a.index] == layers.instance[b.index];
+    return a.instance == b.instance && layers.instance[a.index] == a.instance &&
+           layers.instance[b.index] == b.instance;
   };
   const std::size_t firstBelow = first - below.size();
   std::size_t b = 0;
   for (std::size_t i = 0; i < row.size(); ++i) {
-    if (i > 0 && row[i - 1].column + 1 == row[i].column && areAlike(row[i - 1], row[i]))
-      components.join(first + i - 1, first + i);
+    for (std::size_t k = i; k > 0 && row[k - 1].column >= row[i].column - 1; --k)
+      if (areAlike(row[k - 1], row[i])) components.join(first + k - 1, first + i);
     while (b < below.size() && below[b].column < row[i].column - 1)
       ++b;
     for (std::size_t k = b; k < below.size() && below[k].column <= row[i].column + 1; ++k)

@@ -193,74 +193,170 @@ float EdgeFinder::depthAt(int x, int y) const
              : frame.clear.depth;
 }
 
+/// What of a pixel of another instance shows a pixel's surface, which does not end behind it.
+float EdgeFinder::shareBeyond(const Pixel& pixel, const Pixel& other) const
+{
+  const std::size_t i = other.index;
+  if (layers_.isSingle || layers_.covered[i] == layers_.count[i]) return 0.0f;
+  if (layers_.other[i] != pixel.instance) return 0.0f;
+  return static_cast<float>(layers_.covered[i] - layers_.count[i]) / samples_;
+}
+
 EdgeFinder::Neighbour EdgeFinder::neighbourAt(const Pixel& pixel, int x, int y) const
 {
   if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height)
-    return {1.0f, true, false, false};
+    return {1.0f, true, false, false, false, 0.0f, 0.0f};
   const Pixel other = pixelAt(x, y);
-  if (other.instance == kNobody)
-    return {depthAt(x, y) < depthAt(pixel.x, pixel.y) ? 1.0f : 0.0f, true, false, false};
-  const bool isSame = other.instance == pixel.instance;
-  if (!isSame && areCut(pixel, other)) return {1.0f, true, false, true};
-  const bool isEdge = !isSame || isStep(pixel, other);
+  if (other.instance == kNobody) {
+    const bool isBehind = !(depthAt(x, y) < depthAt(pixel.x, pixel.y));
+    return {isBehind ? 0.0f : 1.0f, true, false, false, false, isBehind ? 1.0f : 0.0f, 0.0f};
+  }
+  if (other.instance != pixel.instance) {
+    const float lean = leanOf(pixel, other);
+    const float share = lean > -0.5f ? shareBeyond(pixel, other) : 1.0f;
+    return {share, true, true, false, isCutBy(lean), partOf(other, lean), lean};
+  }
+  if (!isOutlined(pixel.instance))
+    return {shareShown(other), false, false, false, false, 0.0f, 0.0f};
+  const bool isEdge = isStep(pixel, other);
   // What convolutions find may be within a surface.
-  const bool isOther = !isSame || (isByPlanes(pixel) ? isEdge : isPlaneStep(pixel, other));
-  if (!isEdge) return {shareShown(other), isOther, false, false};
-  return {isBefore(pixel, other) ? 0.0f : 1.0f, isOther, isSame, false};
+  const bool isOther = isByPlanes(pixel) ? isEdge : isPlaneStep(pixel, other);
+  if (!isEdge) return {shareShown(other), isOther, false, false, false, 0.0f, 0.0f};
+  const bool isNearer = isBefore(pixel, other);
+  return {isNearer ? 0.0f : 1.0f, isOther, false, true, false, isNearer ? 1.0f : 0.0f, 0.0f};
 }
 
-void EdgeFinder::addEdge(const Pixel& pixel, EdgeRow& edges, CreaseRow& creases,
-                         StepGrid& steps) const
-{
-  const auto at = [&](int dx, int dy) { return neighbourAt(pixel, pixel.x + dx, pixel.y + dy); };
-  const auto share = [&](int dx, int dy) { return at(dx, dy).share; };
-  const Neighbour toRight = at(1, 0), toLeft = at(-1, 0), over = at(0, 1), under = at(0, -1);
-  const auto sideIf = [](const Neighbour& neighbour, unsigned side) {
-    return neighbour.isOther ? side : 0u;
-  };
-  steps.part(pixel.index, sideIf(toRight, StepGrid::kRight) | sideIf(toLeft, StepGrid::kLeft) |
-                              sideIf(over, StepGrid::kAbove) | sideIf(under, StepGrid::kBelow));
-  if (toRight.isCut) addCut(pixel, pixel.x + 1, pixel.y, creases.toRight);
-  if (over.isCut) addCut(pixel, pixel.x, pixel.y + 1, creases.toAbove);
-  const float right = toRight.share, left = toLeft.share, above = over.share, below = under.share;
-  const float own = shareUpToBorder(pixel);
-  const bool isCut = own < 1.0f;
-  if (!isCut && right > 0.0f && left > 0.0f && above > 0.0f && below > 0.0f) return;
+/// A pixel's neighbours: those at its sides, and then those at its corners.
+struct EdgeFinder::Around {
+  static constexpr int kSides = 4, kAll = 8;
+  static constexpr int kX[kAll] = {1, -1, 0, 0, 1, -1, 1, -1};
+  static constexpr int kY[kAll] = {0, 0, 1, -1, 1, 1, -1, -1};
 
-  const float rightAbove = share(1, 1), leftAbove = share(-1, 1), rightBelow = share(1, -1),
-              leftBelow = share(-1, -1);
+  const Pixel& pixel;
+  Neighbour at[kAll];
+
+  PixelPlace placeOf(int i) const { return {pixel.x + kX[i], pixel.y + kY[i]}; }
+};
+
+/// Of a pixel that no border cuts: half way to the neighbours that show nothing of its surface, or
+/// where these cut it.
+void EdgeFinder::addWhole(const Around& around, EdgePoint edge, EdgeRow& edges) const
+{
+  const Vec2f centre = edge.foot;
+  float distance = 1.0f;
+  bool isBare = false;
+  for (int i = 0; i < Around::kSides; ++i) {
+    const Neighbour& neighbour = around.at[i];
+    if (neighbour.share > 0.0f || neighbour.isCut) continue;
+    isBare = true;
+    const float towards = edge.normal.x * static_cast<float>(Around::kX[i]) +
+                          edge.normal.y * static_cast<float>(Around::kY[i]);
+    if (towards > 0.0f && towards * 0.5f < distance) distance = towards * 0.5f;
+  }
+  if (isBare) {
+    edge.foot = centre + edge.normal * distance;
+    edges.points.push_back(edge);
+  }
+  for (int i = 0; i < Around::kSides; ++i) {
+    const Neighbour& neighbour = around.at[i];
+    if (neighbour.share > 0.0f || !neighbour.isCut || !(neighbour.part > 0.0f)) continue;
+    const auto [x, y] = around.placeOf(i);
+    edge.foot = cutPlace(around.pixel, pixelAt(x, y));
+    edge.part = neighbour.part;
+    edges.points.push_back(edge);
+  }
+}
+
+/// How far from an edge, along its normal, the planes that its pixel and one beyond it show meet;
+/// as far as the samples, which tell the edge's place to one of them, leave that open, and to the
+/// degree to which they cut each other.
+float EdgeFinder::shiftOf(const EdgePoint& edge, const Pixel& pixel, const Pixel& beyond,
+                          float lean) const
+{
+  const Vec2f way = cutPlace(pixel, beyond) - edge.foot;
+  const float off = edge.normal.x * way.x + edge.normal.y * way.y, most = 1.0f / samples_;
+  const float bounded = off > -most ? (off < most ? off : most) : -most;
+  return bounded * (1.0f - 2.0f * absolute(lean));
+}
+
+/// Of a pixel that a border cuts, which may be its surface's, that of what its other samples show,
+/// or both.
+void EdgeFinder::addParts(const Around& around, EdgePoint edge, EdgeRow& edges) const
+{
+  const Pixel& pixel = around.pixel;
+  const bool isShared =
+      !layers_.isSingle && layers_.covered[pixel.index] > layers_.count[pixel.index];
+  const std::uint32_t other = isShared ? layers_.other[pixel.index] : pixel.instance;
+  float own = 0.0f, others = 0.0f, any = 0.0f, shift = 0.0f;
+  int count = 0, countOfAny = 0;
+  EdgePoint beyond = edge;
+  for (int i = 0; i < Around::kAll; ++i) {
+    const Neighbour& neighbour = around.at[i];
+    if (neighbour.part > 0.0f) {
+      any += neighbour.part;
+      ++countOfAny;
+    }
+    if (other == pixel.instance || !neighbour.isForeign) continue;
+    const PixelPlace place = around.placeOf(i);
+    if (layers_.instance[layers_.indexOf(place.x, place.y)] != other) continue;
+    if (count == 0) beyond.shown = place;
+    own += neighbour.part;
+    others += partOf(pixel, -neighbour.lean);
+    if (neighbour.isCut) shift += shiftOf(edge, pixel, pixelAt(place.x, place.y), neighbour.lean);
+    ++count;
+  }
+  if (count > 0) {
+    edge.part = own / static_cast<float>(count);
+    edge.foot = edge.foot + edge.normal * (shift / static_cast<float>(count));
+  } else if (countOfAny > 0) {
+    edge.part = any / static_cast<float>(countOfAny);
+  }
+  if (isOutlined(pixel.instance) && edge.part > 0.0f) edges.points.push_back(edge);
+  if (!isOutlined(other) || !(others > 0.0f) || edge.normal == Vec2f{0.0f, 0.0f}) return;
+  beyond.foot = edge.foot;
+  beyond.normal = edge.normal * -1.0f;
+  beyond.instance = other;
+  beyond.part = others / static_cast<float>(count);
+  edges.points.push_back(beyond);
+}
+
+void EdgeFinder::addEdges(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) const
+{
+  Around around = {pixel, {}};
+  const auto compare = [&](int first, int end) {
+    for (int i = first; i < end; ++i)
+      around.at[i] = neighbourAt(pixel, pixel.x + Around::kX[i], pixel.y + Around::kY[i]);
+  };
+  compare(0, Around::kSides);
+  const auto sideIf = [&](int i, unsigned side) { return around.at[i].isOther ? side : 0u; };
+  steps.part(pixel.index, sideIf(0, StepGrid::kRight) | sideIf(1, StepGrid::kLeft) |
+                              sideIf(2, StepGrid::kAbove) | sideIf(3, StepGrid::kBelow));
+  const auto share = [&](int i) { return around.at[i].share; };
+  const float own = shareShown(pixel);
+  const bool isPart = own < 1.0f;
+  if (!isPart && share(0) > 0.0f && share(1) > 0.0f && share(2) > 0.0f && share(3) > 0.0f) return;
+
+  compare(Around::kSides, Around::kAll);
   constexpr float kSqrt2 = 1.41421356f;
   const Vec2f inwards = {
-      kSqrt2 * (right - left) + ((rightAbove + rightBelow) - (leftAbove + leftBelow)),
-      kSqrt2 * (above - below) + ((rightAbove + leftAbove) - (rightBelow + leftBelow))};
+      kSqrt2 * (share(0) - share(1)) + ((share(4) + share(6)) - (share(5) + share(7))),
+      kSqrt2 * (share(2) - share(3)) + ((share(4) + share(5)) - (share(6) + share(7)))};
   const float length = std::sqrt(inwards.x * inwards.x + inwards.y * inwards.y);
   const Vec2f centre = {static_cast<float>(pixel.x) + 0.5f, static_cast<float>(pixel.y) + 0.5f};
-  EdgePoint edge = {centre,         {0.0f, 0.0f}, pixel.x, static_cast<std::uint32_t>(pixel.index),
-                    pixel.instance, true};
-  const auto bendsTo = [&](const Neighbour& neighbour, int dx, int dy) {
-    return !neighbour.isStep || isBent(pixel, pixelAt(pixel.x + dx, pixel.y + dy));
-  };
-  edge.isBent = bendsTo(toRight, 1, 0) && bendsTo(toLeft, -1, 0) && bendsTo(over, 0, 1) &&
-                bendsTo(under, 0, -1);
-  if (length > 0.0f) {
-    edge.normal = {-inwards.x / length, -inwards.y / length};
-    float distance = 1.0f;
-    if (isCut) {
-      distance = CutPixel(edge.normal).distanceOf(own);
-    } else {
-      // Half way to the neighbours that show nothing of it.
-      const auto shorten = [&](float towards, float shareThere) {
-        if (shareThere > 0.0f || !(towards > 0.0f)) return;
-        if (towards * 0.5f < distance) distance = towards * 0.5f;
-      };
-      shorten(edge.normal.x, right);
-      shorten(-edge.normal.x, left);
-      shorten(edge.normal.y, above);
-      shorten(-edge.normal.y, below);
-    }
-    edge.foot = centre + edge.normal * distance;
+  EdgePoint edge = {
+      centre,         {0.0f, 0.0f},       pixel.x, static_cast<std::uint32_t>(pixel.index),
+      pixel.instance, {pixel.x, pixel.y}, 1.0f,    true};
+  for (int i = 0; i < Around::kSides; ++i) {
+    const auto [x, y] = around.placeOf(i);
+    if (around.at[i].isStep && !isBent(pixel, pixelAt(x, y))) edge.isBent = false;
   }
-  edges.points.push_back(edge);
+  if (length > 0.0f) edge.normal = {-inwards.x / length, -inwards.y / length};
+  if (!isPart) {
+    if (isOutlined(pixel.instance)) addWhole(around, edge, edges);
+    return;
+  }
+  if (length > 0.0f) edge.foot = centre + edge.normal * CutPixel(edge.normal).distanceOf(own);
+  addParts(around, edge, edges);
 }
 
 /// Where two planes that two pixels of a row or a column show meet: a part of the way between.
@@ -342,10 +438,9 @@ void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
                    pixel.x,
                    static_cast<std::uint32_t>(pixel.index),
                    {x, y},
-                   {pixel.instance, pixel.instance},
+                   pixel.instance,
                    isStep(pixel, other),
-                   isCrease && !isIdBorder,
-                   0.0f});
+                   isCrease && !isIdBorder});
 }
 
 void EdgeFinder::look(PixelPlace place, unsigned marks, EdgeRow& edges, CreaseRow& creases,
@@ -353,8 +448,8 @@ void EdgeFinder::look(PixelPlace place, unsigned marks, EdgeRow& edges, CreaseRo
 {
   const auto [x, y] = place;
   const Pixel pixel = pixelAt(x, y);
-  if (!isOutlined(pixel.instance)) return addCuts(pixel, creases);
-  if ((marks & kMayHaveEdge) != 0) addEdge(pixel, edges, creases, steps);
+  if ((marks & kMayHaveEdge) != 0) addEdges(pixel, edges, steps);
+  if (!isOutlined(pixel.instance)) return;
   if ((marks & kMayCreaseRight) != 0) addCrossing(pixel, x + 1, y, creases.toRight);
   if ((marks & kMayCreaseAbove) != 0) addCrossing(pixel, x, y + 1, creases.toAbove);
 }

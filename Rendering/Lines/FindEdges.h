@@ -18,51 +18,33 @@ struct EdgePoint {
   Vec2f foot;    ///< where it is nearest to the pixel's centre; pixels
   Vec2f normal;  ///< unit, away from the surface; (0, 0): all of the pixel is at the border
   int column;
-  std::uint32_t index;  ///< of the pixel
-  std::uint32_t instance;
+  std::uint32_t index;     ///< of the pixel
+  std::uint32_t instance;  ///< whose surface it is
+  PixelPlace shown;        ///< that pixel, or one next to it that shows the surface
+  float part;              ///< of the line's width that is drawn on the surface
   bool isBent;  ///< where steps part it from pixels beside it, normals differ as at creases
 };
-/// Of one row of pixels, by columns.
+/// Of one row of pixels, by columns; a pixel may have several.
 struct EdgeRow {
   std::vector<EdgePoint> points;
 };
 
-/// Of which instances a crossing or a segment lies between pixels: the same twice unless they cut
-/// each other there.
-struct TwoSides {
-  std::uint32_t first, second;
-
-  bool has(std::uint32_t instance) const { return first == instance || second == instance; }
-  bool isCut() const { return first != second; }
-};
-/// In any order.
-inline bool areAlike(TwoSides a, TwoSides b)
-{
-  return (a.first == b.first && a.second == b.second) ||
-         (a.first == b.second && a.second == b.first);
-}
-
-/// Where a crease, a border between ids, or the line along which two instances cut each other
-/// crosses the way from a pixel to its right neighbour or the one above; borders of ids may be a
-/// little aside of that.
+/// Where a crease or a border between ids crosses the way from a pixel to its right neighbour or
+/// the one above; borders of ids may be a little aside of that.
 struct CreaseCrossing {
   Vec2f place;
   int column;
   std::uint32_t index;   ///< of the pixel
   PixelPlace neighbour;  ///< that pixel
-  TwoSides sides;
+  std::uint32_t instance;
   bool isStep;  ///< and no crease, unless the step is a speck
-  bool isBent;  ///< by normals alone, and not by ids or a cut
-  float lean;   ///< of a cut: what share of its width the line is aside, to the instance that
-                ///< comes first in the scene; -0.5 to 0.5
+  bool isBent;  ///< by normals alone, and not by ids
 };
 struct CreaseSegment {
   Vec2f from, to;  ///< may be one place
   int column;
-  TwoSides sides;
+  std::uint32_t instance;
   PixelPlace beside, beyond;  ///< pixels at its two sides
-  float leanFrom, leanTo;     ///< CreaseCrossing::lean at its ends
-  bool isWhole;               ///< a cut of which one side alone has a line, as wide as two halves
 };
 /// Crossings that leave a row of pixels, and segments between it and the row above.
 struct CreaseRow {
@@ -81,18 +63,16 @@ class EdgeFinder {
   /// them from others: of the pixels that are marked, from the first touched on.
   void find(int y, const std::uint8_t* marks, EdgeRow& edges, CreaseRow& creases,
             StepGrid& steps) const;
-  /// Whether there are instances without lines.
-  bool hasBare() const
-  {
-    return std::any_of(settings_.begin(), settings_.end(),
-                       [](const Settings& one) { return !one.isOutlined; });
-  }
-  /// Whether of two pixels next to each other, which show instances, the first's surface ends
-  /// before the second's, or cuts it.
-  bool endsAt(PixelPlace first, PixelPlace second) const
+  /// Of two pixels next to each other, which show instances: whether the first's surface ends
+  /// before the second's, cuts it, or ends behind it.
+  enum class Order : std::uint8_t { kBefore, kCut, kBehind };
+  Order orderOf(PixelPlace first, PixelPlace second) const
   {
     const Pixel one = pixelAt(first.x, first.y), other = pixelAt(second.x, second.y);
-    return areCut(one, other) || isBefore(one, other);
+    if (one.instance == other.instance)
+      return isBefore(one, other) ? Order::kBefore : Order::kBehind;
+    const float lean = leanOf(one, other);
+    return isCutBy(lean) ? Order::kCut : lean > 0.0f ? Order::kBefore : Order::kBehind;
   }
 
  private:
@@ -113,12 +93,17 @@ class EdgeFinder {
   Pixel pixelAt(int x, int y) const;
   bool isOutlined(std::uint32_t instance) const { return settings_[instance].isOutlined; }
   struct Neighbour {
-    float share;   ///< that counts as the surface that the pixel shows: 1 for what lies before it
-    bool isOther;  ///< another surface, or nobody
-    bool isStep;   ///< of the pixel's instance, by its detector
-    bool isCut;    ///< by another instance
+    float share;     ///< that counts as the surface that the pixel shows: 1 for what lies before it
+    bool isOther;    ///< another surface, or nobody
+    bool isForeign;  ///< another instance
+    bool isStep;     ///< of the pixel's instance, by its detector
+    bool isCut;      ///< by another instance
+    float part;  ///< of the line's width on the pixel's side: 0 where its surface goes on, or ends
+                 ///< behind another's
+    float lean;  ///< of another instance: leanOf()
   };
   Neighbour neighbourAt(const Pixel& pixel, int x, int y) const;
+  float shareBeyond(const Pixel& pixel, const Pixel& other) const;
   float depthAt(int x, int y) const;
   bool isByPlanes(const Pixel& pixel) const
   {
@@ -138,20 +123,23 @@ class EdgeFinder {
   float gradientOfNormals(const Pixel& pixel) const;
   Vec3f laplacianOfNormals(const Pixel& pixel) const;
   bool isBefore(const Pixel& first, const Pixel& second) const;
-  bool areCut(const Pixel& first, const Pixel& second) const;
-  bool goesOn(const Pixel& pixel, const Pixel& next, Vec3f eye) const;
+  float gapBetween(const Pixel& first, const Pixel& second) const;
+  float leanOf(const Pixel& first, const Pixel& second) const;
+  static bool isCutBy(float lean) { return lean > -0.5f && lean < 0.5f; }
+  float partOf(const Pixel& beyond, float lean) const;
   bool isInstanceAt(int x, int y, std::uint32_t instance) const;
+  float nearness(const Pixel& pixel, Vec3f eye) const;
   float fall(const Pixel& pixel, Vec3f eye) const;
-  float leanOfCut(const Pixel& first, const Pixel& second) const;
   Vec2f cutPlace(const Pixel& first, const Pixel& second) const;
-  void addCuts(const Pixel& pixel, CreaseRow& creases) const;
-  void addCut(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;
   float tolerance(const Pixel& first, const Pixel& second) const;
   /// Of its samples, how many show its layer.
   float shareShown(const Pixel& pixel) const;
-  float shareUpToBorder(const Pixel& pixel) const;
   float toleranceOf(const Pixel& pixel) const;
-  void addEdge(const Pixel& pixel, EdgeRow& edges, CreaseRow& creases, StepGrid& steps) const;
+  struct Around;
+  void addEdges(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) const;
+  void addWhole(const Around& around, EdgePoint edge, EdgeRow& edges) const;
+  float shiftOf(const EdgePoint& edge, const Pixel& pixel, const Pixel& beyond, float lean) const;
+  void addParts(const Around& around, EdgePoint edge, EdgeRow& edges) const;
   float wayToMeeting(const SurfacePatch& first, const SurfacePatch& second) const;
   Vec2f creasePlace(const SurfacePatch& first, const SurfacePatch& second) const;
   void addCrossing(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;

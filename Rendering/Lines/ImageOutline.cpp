@@ -151,7 +151,6 @@ void drawImageOutlines(const OutlinePass& pass)
                     creases[static_cast<std::size_t>(y)]);
   });
 
-  const bool mayHaveWhole = finder.hasBare();
   int reach = 0;
   for (const Instance& instance : pass.scene.instances)
     if (hasImageOutline(instance)) reach = std::max(reach, reachOf(instance.style));
@@ -165,7 +164,7 @@ void drawImageOutlines(const OutlinePass& pass)
         for (const CreaseSegment& crease : creases[static_cast<std::size_t>(row)].segments)
           near.add(crease.column, reach);
       }
-      LineMeasure measure(pass, {finder, edges, creases, steps, mayHaveWhole}, y, reach);
+      LineMeasure measure(pass, {finder, edges, creases, steps}, y, reach);
       near.forEach([&](int x) {
         const float share = measure.shareAt(x), behind = measure.shareBehindAt(x);
         if (behind > 0.0f) paintLineBehind(pass, x, y, behind);

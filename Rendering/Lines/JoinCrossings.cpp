@@ -7,23 +7,17 @@
 namespace limn {
 namespace {
 
-/// Crossings of one square and of the same instances.
+/// Crossings of one square and of the same instance.
 void joinAlike(const OutlinePass& pass, const CreaseCrossing* const* met, int count, int column,
                std::vector<CreaseSegment>& segments)
 {
   const CreaseCrossing& first = *met[0];
-  const auto isBare = [&](std::uint32_t instance) {
-    return !hasImageOutline(pass.scene.instances[instance]);
-  };
-  const bool isWhole =
-      first.sides.isCut() && (isBare(first.sides.first) || isBare(first.sides.second));
   const PixelPlace beside = {first.column, static_cast<int>(first.index) / pass.layers.width};
-  const auto add = [&](Vec2f from, float lean, const CreaseCrossing& to) {
-    segments.push_back(
-        {from, to.place, column, first.sides, beside, first.neighbour, lean, to.lean, isWhole});
+  const auto add = [&](Vec2f from, Vec2f to) {
+    segments.push_back({from, to, column, first.instance, beside, first.neighbour});
   };
   if (count <= 2) {
-    add(first.place, first.lean, *met[count - 1]);
+    add(first.place, met[count - 1]->place);
     return;
   }
   Vec2f middle = {0.0f, 0.0f};
@@ -31,7 +25,7 @@ void joinAlike(const OutlinePass& pass, const CreaseCrossing* const* met, int co
     middle = middle + met[i]->place;
   middle = middle * (1.0f / static_cast<float>(count));
   for (int i = 0; i < count; ++i)
-    add(middle, met[i]->lean, *met[i]);
+    add(middle, met[i]->place);
 }
 
 }  // namespace
@@ -46,7 +40,7 @@ void joinCrossings(const OutlinePass& pass, const CreaseRow& row, const CreaseRo
       const CreaseCrossing* met[4];
       int count = 0;
       for (int k = i; k < 4; ++k) {
-        if (rest[k] == nullptr || !(k == i || areAlike(rest[k]->sides, rest[i]->sides))) continue;
+        if (rest[k] == nullptr || !(k == i || rest[k]->instance == rest[i]->instance)) continue;
         met[count++] = rest[k];
         if (k > i) rest[k] = nullptr;
       }

@@ -7,7 +7,7 @@
 namespace limn {
 
 /// Joins the crossings on the sides of the squares between the centres of two rows' pixels,
-/// those of the same instances.
+/// those of the same instance.
 void joinCrossings(const OutlinePass& pass, const CreaseRow& row, const CreaseRow& above,
                    CreaseRow& result);
 

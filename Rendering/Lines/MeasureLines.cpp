@@ -59,7 +59,6 @@ LineMeasure::LineMeasure(const OutlinePass& pass, const FoundLines& lines, int y
       layers_(pass.layers),
       finder_(lines.finder),
       steps_(lines.steps),
-      mayHaveWhole_(lines.mayHaveWhole),
       y_(y),
       reach_(reach)
 {
@@ -85,6 +84,7 @@ void LineMeasure::findEdges(const Pixel& pixel)
 {
   near_.clear();
   nearest_ = 0;
+  haveParts_ = false;
   float squared = 0.0f;
   const float outside = pixel.own < 1.0f || !pixel.isByPlanes() ? kOutside : kOutsideOfWhole;
   const int first = pixel.x - pixel.reach, last = pixel.x + pixel.reach;
@@ -102,24 +102,41 @@ void LineMeasure::findEdges(const Pixel& pixel)
       // Number by number: pairs that are put together to be copied whole wait for each other.
       NearEdge& near = near_.emplace_back();
       near.edge = edge;
-      near.place.x = edge->column;
-      near.place.y = row.y;
+      near.place.x = edge->shown.x;
+      near.place.y = edge->shown.y;
       near.way.x = way.x;
       near.way.y = way.y;
+      haveParts_ |= edge->part < 1.0f;
     }
   }
+  if (!haveParts_) return;
+  nearest_ = 0;
+  float least = outsideOf(pixel, near_[0]);
+  for (std::size_t i = 1; i < near_.size(); ++i)
+    if (const float other = outsideOf(pixel, near_[i]); other < least) {
+      nearest_ = i;
+      least = other;
+    }
+}
+
+/// For comparisons: how far the pixel's centre is from an edge's line; if all lines are as wide,
+/// from the edge.
+float LineMeasure::outsideOf(const Pixel& pixel, const NearEdge& edge) const
+{
+  const float squared = dot(edge.way, edge.way);
+  return haveParts_ ? std::sqrt(squared) - pixel.style->outlineWidth * edge.edge->part : squared;
 }
 
 const LineMeasure::NearEdge* LineMeasure::nearestJoined(const Pixel& pixel) const
 {
   const NearEdge* nearest = nullptr;
-  float squared = 0.0f;
+  float outside = 0.0f;
   for (const NearEdge& edge : near_) {
-    const float other = dot(edge.way, edge.way);
-    if (nearest != nullptr && !(other < squared)) continue;
+    const float other = outsideOf(pixel, edge);
+    if (nearest != nullptr && !(other < outside)) continue;
     if (!steps_.areJoined(pixel.shown, edge.place)) continue;
     nearest = &edge;
-    squared = other;
+    outside = other;
   }
   return nearest;
 }
@@ -149,7 +166,7 @@ bool LineMeasure::isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool 
 /// Of a round end in the middle of the line.
 float LineMeasure::capShare(const Pixel& pixel, const NearEdge& nearest) const
 {
-  const float radius = pixel.style->outlineWidth * 0.5f;
+  const float radius = pixel.style->outlineWidth * nearest.edge->part * 0.5f;
   const Vec2f way = nearest.way - nearest.edge->normal * radius;
   const float distance = std::sqrt(dot(way, way));
   const Vec2f across = distance > 0.0f ? way * (1.0f / distance) : nearest.edge->normal;
@@ -170,13 +187,13 @@ float LineMeasure::borderShare(const Pixel& pixel)
   if (normal == Vec2f{0.0f, 0.0f}) return nearest->edge->index == pixel.index ? pixel.own : 0.0f;
 
   const auto along = [&](Vec2f to) { return absolute(normal.x * to.y - normal.y * to.x); };
-  float distance = std::sqrt(dot(way, way));
+  float distance = std::sqrt(dot(way, way)), part = nearest->edge->part;
   Vec2f across = normal;
   if (along(way) > kBeside) {
     if (isBeyondEnd(pixel, *nearest, areAlone)) return capShare(pixel, *nearest);
     across = way * (1.0f / distance);
   } else {
-    float sum = 0.0f, weights = 0.0f;
+    float sum = 0.0f, parts = 0.0f, weights = 0.0f;
     for (const NearEdge& near : near_) {
       const EdgePoint& edge = *near.edge;
       const float weight = kSpan - along(near.way);
@@ -185,15 +202,18 @@ float LineMeasure::borderShare(const Pixel& pixel)
       if (!areAlone && !steps_.areJoined(pixel.shown, near.place)) continue;
       // The mean of both normals: exact to the second order on a circle.
       sum = sum + weight * (0.5f * (dot(edge.normal, near.way) + dot(normal, near.way)));
+      parts = parts + weight * edge.part;
       weights = weights + weight;
     }
     distance = sum / weights;
+    part = parts / weights;
   }
-  const float share = pixel.own - CutPixel(across).areaBelow(distance - pixel.style->outlineWidth);
+  const float width = pixel.style->outlineWidth * part;
+  const float share = pixel.own - CutPixel(across).areaBelow(distance - width);
   return share > 0.0f ? share : 0.0f;
 }
 
-std::optional<LineMeasure::NearCrease> LineMeasure::nearestCrease(const Pixel& pixel, bool isWhole,
+std::optional<LineMeasure::NearCrease> LineMeasure::nearestCrease(const Pixel& pixel,
                                                                   bool isJoined) const
 {
   std::optional<NearCrease> nearest;
@@ -202,9 +222,7 @@ std::optional<LineMeasure::NearCrease> LineMeasure::nearestCrease(const Pixel& p
     if (row.y < pixel.y - pixel.reach || row.y > pixel.y + pixel.reach) continue;
     for (const CreaseSegment* segment = row.at;
          segment != row.end && segment->column <= pixel.x + pixel.reach; ++segment) {
-      if (segment->column < pixel.x - pixel.reach || !segment->sides.has(pixel.instance) ||
-          segment->isWhole != isWhole)
-        continue;
+      if (segment->column < pixel.x - pixel.reach || segment->instance != pixel.instance) continue;
       const Vec2f side = segment->to - segment->from, from = segment->from - pixel.centre;
       const float length = dot(side, side);
       const float t = length > 0.0f ? -(dot(from, side) / length) : 0.0f;
@@ -213,7 +231,7 @@ std::optional<LineMeasure::NearCrease> LineMeasure::nearestCrease(const Pixel& p
       if (nearest && !(dot(way, way) < squared)) continue;
       if (isJoined && !areJoined(pixel, *segment)) continue;
       squared = dot(way, way);
-      nearest = {segment, way, bounded};
+      nearest = {segment, way};
     }
   }
   return nearest;
@@ -225,11 +243,10 @@ bool LineMeasure::areJoined(const Pixel& pixel, const CreaseSegment& segment) co
          steps_.areJoined(pixel.shown, segment.beyond);
 }
 
-float LineMeasure::creaseShare(const Pixel& pixel, bool isWhole) const
+float LineMeasure::creaseShare(const Pixel& pixel) const
 {
-  std::optional<NearCrease> nearest = nearestCrease(pixel, isWhole, false);
-  if (nearest && !areJoined(pixel, *nearest->segment))
-    nearest = nearestCrease(pixel, isWhole, true);
+  std::optional<NearCrease> nearest = nearestCrease(pixel, false);
+  if (nearest && !areJoined(pixel, *nearest->segment)) nearest = nearestCrease(pixel, true);
   if (!nearest) return 0.0f;
   const Vec2f way = nearest->way, direction = nearest->segment->to - nearest->segment->from;
   const float distance = std::sqrt(dot(way, way));
@@ -239,20 +256,8 @@ float LineMeasure::creaseShare(const Pixel& pixel, bool isWhole) const
   else if (const float length = std::sqrt(dot(direction, direction)); length > 0.0f)
     across = {direction.y / length, -direction.x / length};
   const CutPixel cut(across);
-  const float width = pixel.style->outlineWidth;
-  if (isWhole) return cut.areaBelow(width - distance) - cut.areaBelow(-width - distance);
-  const float own = width * ownPart(pixel, *nearest);
-  return cut.areaBelow(own - distance) - cut.areaBelow(own - width - distance);
-}
-
-/// What part of a line's width lies on a pixel's side.
-float LineMeasure::ownPart(const Pixel& pixel, const NearCrease& nearest)
-{
-  const CreaseSegment& segment = *nearest.segment;
-  const float lean = segment.leanFrom + (segment.leanTo - segment.leanFrom) * nearest.along;
-  return pixel.instance <= segment.sides.first && pixel.instance <= segment.sides.second
-             ? 0.5f + lean
-             : 0.5f - lean;
+  const float half = pixel.style->outlineWidth * 0.5f;
+  return cut.areaBelow(half - distance) - cut.areaBelow(-half - distance);
 }
 
 LineMeasure::Pixel LineMeasure::pixelAt(int x, std::uint32_t instance) const
@@ -274,11 +279,8 @@ float LineMeasure::linesShare(const Pixel& pixel)
 {
   const float border = borderShare(pixel);
   if (creaseRows_.empty()) return border;
-  const float crease = creaseShare(pixel, false) * pixel.own;
-  const float share = crease > border ? crease : border;
-  if (!mayHaveWhole_) return share;
-  const float cut = creaseShare(pixel, true) * pixel.own;
-  return cut > share ? cut : share;
+  const float crease = creaseShare(pixel) * pixel.own;
+  return crease > border ? crease : border;
 }
 
 float LineMeasure::withoutHalo(float share, PixelPlace place) const
@@ -299,14 +301,14 @@ float LineMeasure::shareAt(int x)
 }
 
 /// Where a pixel around shows what this pixel's other samples do: the farthest of those that lie
-/// behind the end of its layer.
-std::optional<PixelPlace> LineMeasure::placeBehind(int x) const
+/// behind the end of its layer, or that end there themselves.
+std::optional<LineMeasure::Behind> LineMeasure::placeBehind(int x) const
 {
   const std::size_t index = layers_.indexOf(x, y_);
   const std::uint32_t wanted = layers_.other[index];
   // A speck's step parts nothing.
-  if (wanted == layers_.instance[index] && steps_.isUnited(index)) return PixelPlace{x, y_};
-  std::optional<PixelPlace> farthest;
+  if (wanted == layers_.instance[index] && steps_.isUnited(index)) return Behind{{x, y_}, false};
+  std::optional<Behind> farthest;
   float depth = 0.0f;
   const int x1 = std::min(x + 1, layers_.width - 1), y1 = std::min(y_ + 1, layers_.height - 1);
   for (int row = std::max(y_ - 1, 0); row <= y1; ++row)
@@ -316,9 +318,11 @@ std::optional<PixelPlace> LineMeasure::placeBehind(int x) const
         continue;
       const bool isJoined =
           wanted == layers_.instance[index] && steps_.areJoined({x, y_}, {column, row});
-      if (isJoined || !finder_.endsAt({x, y_}, {column, row})) continue;
+      if (isJoined) continue;
+      const EdgeFinder::Order order = finder_.orderOf({x, y_}, {column, row});
+      if (wanted == layers_.instance[index] && order == EdgeFinder::Order::kBehind) continue;
       depth = layers_.depth[other];
-      farthest = PixelPlace{column, row};
+      farthest = {{column, row}, order != EdgeFinder::Order::kBefore};
     }
   return farthest;
 }
@@ -330,13 +334,15 @@ float LineMeasure::shareBehindAt(int x)
   if (layers_.instance[index] == kNobody) return 0.0f;
   const int others = layers_.covered[index] - layers_.count[index];
   if (others == 0 || !hasImageOutline(scene_.instances[layers_.other[index]])) return 0.0f;
-  const std::optional<PixelPlace> shown = placeBehind(x);
-  if (!shown) return 0.0f;
+  const std::optional<Behind> behind = placeBehind(x);
+  if (!behind) return 0.0f;
   moveTo(x);
   Pixel pixel = pixelAt(x, layers_.other[index]);
-  pixel.shown = *shown;
+  pixel.shown = behind->place;
   const float part = static_cast<float>(others) / static_cast<float>(scene_.samples);
-  return withoutHalo(linesShare(pixel) * part, *shown);
+  if (!behind->endsHere) return withoutHalo(linesShare(pixel) * part, pixel.shown);
+  pixel.own = part;
+  return withoutHalo(linesShare(pixel), pixel.shown);
 }
 
 }  // namespace limn

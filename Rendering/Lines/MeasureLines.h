@@ -19,7 +19,6 @@ struct FoundLines {
   const std::vector<EdgeRow>& edges;
   const std::vector<CreaseRow>& creases;
   const StepGrid& steps;
-  bool mayHaveWhole;  ///< CreaseSegment::isWhole
 };
 
 /// How much of the pixels of a row lies in lines.
@@ -58,16 +57,19 @@ class LineMeasure {
     PixelPlace place;
     Vec2f way;  ///< from the pixel's centre
   };
+  struct Behind {
+    PixelPlace place;
+    bool endsHere;  ///< the surface that it shows
+  };
 
   struct NearCrease {
     const CreaseSegment* segment;
-    Vec2f way;    ///< likewise, to its nearest point
-    float along;  ///< where that lies, from 0 to 1
+    Vec2f way;  ///< likewise, to its nearest point
   };
 
   void moveTo(int x);
   Pixel pixelAt(int x, std::uint32_t instance) const;
-  std::optional<PixelPlace> placeBehind(int x) const;
+  std::optional<Behind> placeBehind(int x) const;
   float linesShare(const Pixel& pixel);
   float withoutHalo(float share, PixelPlace place) const;
   /// The edges that may bound the pixel's surface, row by row, by columns.
@@ -76,22 +78,22 @@ class LineMeasure {
   const NearEdge* nearestJoined(const Pixel& pixel) const;
   bool isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool areAlone) const;
   float capShare(const Pixel& pixel, const NearEdge& nearest) const;
-  std::optional<NearCrease> nearestCrease(const Pixel& pixel, bool isWhole, bool isJoined) const;
+  std::optional<NearCrease> nearestCrease(const Pixel& pixel, bool isJoined) const;
   bool areJoined(const Pixel& pixel, const CreaseSegment& segment) const;
   float borderShare(const Pixel& pixel);
-  static float ownPart(const Pixel& pixel, const NearCrease& nearest);
-  float creaseShare(const Pixel& pixel, bool isWhole) const;
+  float outsideOf(const Pixel& pixel, const NearEdge& edge) const;
+  float creaseShare(const Pixel& pixel) const;
 
   const Scene& scene_;
   const SurfaceLayers& layers_;
   const EdgeFinder& finder_;
   const StepGrid& steps_;
-  bool mayHaveWhole_;
   int y_, reach_;
   std::vector<NearRow<EdgePoint>> edgeRows_;
   std::vector<NearRow<CreaseSegment>> creaseRows_;
   std::vector<NearEdge> near_;
-  std::size_t nearest_ = 0;  ///< of near_, the first
+  std::size_t nearest_ = 0;  ///< of near_, the first whose line is nearest
+  bool haveParts_ = false;   ///< some of near_ are of lines that have another surface's part, too
 };
 
 }  // namespace limn

@@ -17,17 +17,20 @@ struct Pixel {
 };
 
 constexpr Pixel kBeside[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+constexpr Pixel kAround[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}};
 
 /// Part of a border, and which way is out.
 struct Edge {
   Vec2f foot, normal;
+  Pixel at;          ///< that it runs through, or beside
+  std::uint32_t of;  ///< the instance whose surface is bounded
+  Pixel shown;       ///< shows that surface
+  float part;        ///< of its line's width that lies inside; the rest is the other surface's
 };
 
 struct Segment {
   Vec2f a, b;
   Pixel owner, beyond;  ///< on its two sides
-  float leanA, leanB;   ///< how much more than half of the width is on the owner's side
-  bool isWhole;         ///< one of the two has no lines, and the other draws both halves
 };
 
 float dot2(Vec2f a, Vec2f b)
@@ -237,117 +240,217 @@ class Outlines {
       const auto depth = [&](Pixel at) { return frame_.depth[at.y * frame_.rowStride + at.x]; };
       return depth(q) < depth(p) ? 1.0f : 0.0f;
     }
-    if (isCut(p, q)) return 1;
-    if (layer(q).instance == layer(p).instance && !isEdge(p, q)) return own(q);
-    return ownsEdge(p, q) ? 0.0f : 1.0f;
+    if (layer(q).instance == layer(p).instance) {
+      if (!isOutlined(layer(p).instance) || !isEdge(p, q)) return own(q);
+      return ownsEdge(p, q) ? 0.0f : 1.0f;
+    }
+    const float lean = leanTowards(p, q);
+    if (lean == -0.5f) return 1;
+    // What of q shows the instance of p.
+    const Layer& l = layer(q);
+    if (l.covered == l.count || l.other != layer(p).instance) return 0;
+    return static_cast<float>(l.covered - l.count) / static_cast<float>(scene_.samples);
   }
 
-  /// Whether two instances, one of which has lines, cut each other between p and q: there each is
-  /// before the other's plane, or nearly so, and the steeper goes on where the other hides it.
-  bool isCut(Pixel p, Pixel q) const
+  static float unit(float x) { return x > 0 ? std::min(x, 1.0f) : 0.0f; }
+
+  /// From 0, where the planes that p and q show meet between them, to 1, where they meet nowhere
+  /// near or are far apart there.
+  float gapBetween(Pixel p, Pixel q) const
   {
     const Layer &a = layer(p), &b = layer(q);
-    if (a.instance == kNobody || b.instance == kNobody || a.instance == b.instance) return false;
-    if (!isOutlined(a.instance) && !isOutlined(b.instance)) return false;
     const Vec3f way = b.point.position - a.point.position;
     const float beforeA = dot(a.plane, way), beforeB = dot(b.plane, way * -1.0f);
-    const float most = std::max(beforeA, beforeB), least = std::min(beforeA, beforeB);
-    const float noise = std::max(a.point.rounding, b.point.rounding);
-    if (most <= noise || least < -(noise + most / 8)) return false;
-    const bool isFirst = isSteeper(p, q);
-    const Pixel steep = isFirst ? p : q, other = isFirst ? q : p;
-    // 12 pixels in depth for one aside.
+    if (beforeA > 0 && beforeB > 0) return 0;
+    const float off = std::max(std::fabs(beforeA), std::fabs(beforeB));
+    // Where they bulge out: from one tolerance to two.
+    const float bulging = off / bothTolerances(p, q) - 1;
+    if (!(beforeA > 0) && !(beforeB > 0)) return unit(bulging);
     const Vec3f eye = betweenAndEye(a, b);
-    const float cosine = dot(layer(steep).plane, eye);
-    if (cosine * cosine * 145 < dot(eye, eye)) return false;
-    const Pixel before = {steep.x + 4 * (steep.x - other.x), steep.y + 4 * (steep.y - other.y)};
-    if (!isInside(before) || layer(before).instance != layer(steep).instance)
-      return most <= bothTolerances(p, q);
-    return nearnessOfOutline(steep, eye) * 3 <= 1;
+    const float depthAtP = std::fabs(beforeB) * dot(a.plane, eye);
+    const float depthAtQ = std::fabs(beforeA) * dot(b.plane, eye);
+    const float away = std::min(depthAtP, depthAtQ) / (std::fabs(depthAtP - depthAtQ) * 2.0f);
+    const float deep = off / (std::max(a.point.rounding, b.point.rounding) +
+                              0.5f * std::max(a.point.pixel, b.point.pixel));
+    const float gap = away < deep ? away : deep;
+    const bool isNearThatBefore = beforeB > 0 ? depthAtP < depthAtQ : depthAtQ < depthAtP;
+    return unit(isNearThatBefore ? std::max(gap, bulging) : gap);
+  }
+  /// How much more than half of the width of the line between p and q is on the side of p.
+  float leanTowards(Pixel p, Pixel q) const
+  {
+    const bool hasLine = isOutlined(layer(p).instance) || isOutlined(layer(q).instance);
+    const float gap = hasLine ? gapBetween(p, q) : 1.0f;
+    const float whole = gap > 0 && ownsEdge(p, q) ? 0.5f : -0.5f;
+    if (gap >= 1) return whole;
+    const Vec3f eye = betweenAndEye(layer(p), layer(q));
+    const float more = nearnessOfOutline(p, eye) - nearnessOfOutline(q, eye);
+    const float lean = more > -0.5f ? std::min(more, 0.5f) : -0.5f;
+    return gap > 0 ? lean + (whole - lean) * gap : lean;
+  }
+  /// Neither ends before the other.
+  static bool isCut(float lean) { return std::fabs(lean) < 0.5f; }
+  float partBefore(Pixel q, float lean) const
+  {
+    return isOutlined(layer(q).instance) ? 0.5f + lean : unit((0.5f + lean) * 4);
+  }
+  /// 1.5 over the distance to the outline of what p shows, at least for those so steep that nobody
+  /// can tell: 12 pixels in depth for one aside, and wholly at 17.
+  float nearnessOfOutline(Pixel p, Vec3f eye) const
+  {
+    const float cosine = dot(layer(p).plane, eye);
+    const float steep = std::min(1.0f, 2.0f - cosine * cosine * 290.0f / dot(eye, eye));
+    return std::max(steep, inverseDistanceOfOutline(p, eye)) * 1.5f;
   }
   /// The square of the normal's cosine is 1 - (r/R)^2 on a sphere, r from the outline's middle. The
   /// length of its gradient over it, upwards: one over how many pixels there are to the outline.
-  /// By what is seen four pixels away, as normals are found anywhere in their pixels.
-  float nearnessOfOutline(Pixel p, Vec3f eye) const
+  /// By what is seen four pixels away, as normals are found anywhere in their pixels, or by two or
+  /// one where it is not.
+  float inverseDistanceOfOutline(Pixel p, Vec3f eye) const
   {
     const auto squared = [&](Pixel q) {
-      const float cosine = dot(normalAt(p, q), eye);
+      const float cosine = dot(layer(q).normal, eye);
       return cosine * cosine;
     };
     const float here = squared(p);
-    const float x = std::max(squared({p.x - 4, p.y}), squared({p.x + 4, p.y})) - here;
-    const float y = std::max(squared({p.x, p.y - 4}), squared({p.x, p.y + 4})) - here;
-    const Vec2f gradient = {std::max(0.0f, x), std::max(0.0f, y)};
+    const auto rise = [&](int dx, int dy) {
+      for (const int n : {4, 2, 1}) {
+        const Pixel q = {p.x + n * dx, p.y + n * dy};
+        if (isInside(q) && layer(q).instance == layer(p).instance)
+          return (squared(q) - here) * static_cast<float>(4 / n);
+      }
+      return 0.0f;
+    };
+    const Vec2f gradient = {std::max(0.0f, std::max(rise(-1, 0), rise(1, 0))),
+                            std::max(0.0f, std::max(rise(0, -1), rise(0, 1)))};
     // Nearer than a pixel is at the outline; so is a normal perpendicular to the gaze.
     if (std::sqrt(dot2(gradient, gradient)) >= here * 4) return 1;
     return std::sqrt(dot2(gradient, gradient)) / (here * 4);
   }
-  /// How much more than half of the line's width is on the side of p, where q's instance cuts it.
-  float leanTowards(Pixel p, Pixel q) const
-  {
-    const Vec3f eye = betweenAndEye(layer(p), layer(q));
-    const float more = nearnessOfOutline(p, eye) - nearnessOfOutline(q, eye);
-    return more * 1.5f > -0.5f ? std::min(more * 1.5f, 0.5f) : -0.5f;
-  }
   Vec2f cutPlace(Pixel p, Pixel q) const
   {
     const Vec2f a = layer(p).place, b = layer(q).place;
-    const float t = wayToMeeting(p, q);
-    return a + (b - a) * (t > 0 ? std::min(t, 1.0f) : 0.0f);
-  }
-  /// The share of p up to where its surface ends, and not where another instance cuts it.
-  float ownUpToEnd(Pixel p) const
-  {
-    const Layer& l = layer(p);
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx) {
-        const Pixel q = {p.x + dx, p.y + dy};
-        if (l.covered > l.count && isInside(q) && layer(q).instance == l.other && isCut(p, q))
-          return static_cast<float>(l.covered) / static_cast<float>(scene_.samples);
-      }
-    return own(p);
+    const float meeting = unit(wayToMeeting(p, q));
+    return a + (b - a) * (meeting + (0.5f - meeting) * gapBetween(p, q));
   }
 
   void findAt(Pixel p)
   {
-    for (const bool isRight : {true, false}) {
-      const Pixel q = isRight ? Pixel{p.x + 1, p.y} : Pixel{p.x, p.y + 1};
-      if (isInside(q) && isCut(p, q)) (isRight ? right_ : above_)[index(p)] = cutPlace(p, q);
-    }
+    findEdges(p);
     if (!isOutlined(layer(p).instance)) return;
-    findEdge(p);
     if (const auto place = crossing(p, {p.x + 1, p.y})) right_[index(p)] = place;
     if (const auto place = crossing(p, {p.x, p.y + 1})) above_[index(p)] = place;
   }
 
-  void findEdge(Pixel p)
+  /// A neighbour of a pixel, as the pixel's surface has to do with it.
+  struct Neighbour {
+    Pixel at;
+    float share;  ///< coverage()
+    float part;   ///< of the line between them that is the pixel's
+    bool isCut;
+    float theirs;  ///< that of what is there, if that is another instance
+  };
+  Neighbour neighbour(Pixel p, Pixel q) const
   {
-    const float own = ownUpToEnd(p);
-    float c[3][3];  // [row][column] about p
-    for (int dy = -1; dy <= 1; ++dy)
-      for (int dx = -1; dx <= 1; ++dx)
-        c[dy + 1][dx + 1] = dx == 0 && dy == 0 ? own : coverage(p, {p.x + dx, p.y + dy});
-    const bool isBare = std::any_of(std::begin(kBeside), std::end(kBeside),
-                                    [&](Pixel d) { return c[d.y + 1][d.x + 1] == 0; });
-    if (own == 1 && !isBare) return;
+    const float share = coverage(p, q);
+    if (!isInside(q)) return {q, share, 0, false, 0};
+    if (layer(q).instance == kNobody) return {q, share, share > 0 ? 0.0f : 1.0f, false, 0};
+    if (layer(q).instance == layer(p).instance) {
+      const bool ends = isOutlined(layer(p).instance) && isEdge(p, q) && ownsEdge(p, q);
+      return {q, share, ends ? 1.0f : 0.0f, false, 0};
+    }
+    const float lean = leanTowards(p, q);
+    return {q, share, partBefore(q, lean), isCut(lean), partBefore(p, leanTowards(q, p))};
+  }
 
+  void findEdges(Pixel p)
+  {
+    if (layer(p).instance == kNobody) return;
+    if (!isOutlined(layer(p).instance) && own(p) == 1) return;
+    float c[3][3];  // [row][column] about p
+    c[1][1] = own(p);
+    std::vector<Neighbour> around;
+    for (const Pixel d : kAround) {
+      around.push_back(neighbour(p, {p.x + d.x, p.y + d.y}));
+      c[d.y + 1][d.x + 1] = around.back().share;
+    }
     const float root2 = 1.41421356f;
     const Vec2f in = {root2 * (c[1][2] - c[1][0]) + ((c[2][2] + c[0][2]) - (c[2][0] + c[0][0])),
                       root2 * (c[2][1] - c[0][1]) + ((c[2][2] + c[2][0]) - (c[0][2] + c[0][0]))};
     const float length = std::sqrt(dot2(in, in));
-    edges_[index(p)] = Edge{centre(p), {0, 0}};
-    if (length == 0) return;
-    const Vec2f n = {-in.x / length, -in.y / length};
+    Edge edge = {centre(p), {0, 0}, p, layer(p).instance, p, 1};
+    if (length > 0) edge.normal = {-in.x / length, -in.y / length};
+    if (own(p) == 1)
+      findEdgesOfWhole(p, edge, around);
+    else
+      findEdgesOfPart(p, edge, around);
+  }
+  /// Borders run between the pixel and the next.
+  void findEdgesOfWhole(Pixel p, const Edge& edge, const std::vector<Neighbour>& around)
+  {
+    const std::vector<Neighbour> beside = {around.begin(), around.begin() + 4};
     float distance = 1;
-    if (own < 1) {
-      distance = distanceOf(n, own);
-    } else {
-      for (const Pixel d : kBeside) {
-        const float half = 0.5f * (n.x * static_cast<float>(d.x) + n.y * static_cast<float>(d.y));
-        if (c[d.y + 1][d.x + 1] == 0 && half > 0) distance = std::min(distance, half);
-      }
+    bool isBare = false;
+    for (const Neighbour& q : beside) {
+      if (q.share > 0 || q.isCut) continue;
+      isBare = true;
+      const float half = 0.5f * (edge.normal.x * static_cast<float>(q.at.x - p.x) +
+                                 edge.normal.y * static_cast<float>(q.at.y - p.y));
+      if (half > 0) distance = std::min(distance, half);
     }
-    edges_[index(p)] = Edge{centre(p) + n * distance, n};
+    if (isBare) {
+      Edge found = edge;
+      found.foot = edge.foot + edge.normal * distance;
+      edges_[index(p)].push_back(found);
+    }
+    for (const Neighbour& q : beside)
+      if (q.isCut && !(q.share > 0) && q.part > 0)
+        edges_[index(p)].push_back({cutPlace(p, q.at), edge.normal, p, edge.of, p, q.part});
+  }
+  /// A border runs through the pixel; where surfaces cut each other it is that of both.
+  void findEdgesOfPart(Pixel p, Edge edge, const std::vector<Neighbour>& around)
+  {
+    const bool hasWay = !(edge.normal == Vec2f{0, 0});
+    if (hasWay) edge.foot = edge.foot + edge.normal * distanceOf(edge.normal, own(p));
+    const Layer& l = layer(p);
+    const bool isShared = l.covered > l.count && l.other != l.instance;
+    std::vector<Neighbour> beyond;
+    std::vector<float> parts, theirs, anys, shifts;
+    for (const Neighbour& q : around) {
+      if (q.part > 0) anys.push_back(q.part);
+      if (!isShared || !isInside(q.at) || layer(q.at).instance != l.other) continue;
+      beyond.push_back(q);
+      parts.push_back(q.part);
+      theirs.push_back(q.theirs);
+      shifts.push_back(q.isCut ? shiftTo(p, q.at, edge) : 0.0f);
+    }
+    // Of the border to what the pixel's other samples show, or to anything.
+    if (!parts.empty()) {
+      edge.part = meanOf(parts);
+      edge.foot = edge.foot + edge.normal * meanOf(shifts);
+    } else if (!anys.empty()) {
+      edge.part = meanOf(anys);
+    }
+    if (isOutlined(edge.of) && edge.part > 0) edges_[index(p)].push_back(edge);
+    if (!hasWay || theirs.empty() || !isOutlined(l.other) || !(meanOf(theirs) > 0)) return;
+    edges_[index(p)].push_back(
+        {edge.foot, edge.normal * -1.0f, p, l.other, beyond.front().at, meanOf(theirs)});
+  }
+  /// Along the normal of an edge that samples tell to one of them, to where the planes meet that p
+  /// and q show; less where these cut each other less.
+  float shiftTo(Pixel p, Pixel q, const Edge& edge) const
+  {
+    const float one = 1.0f / static_cast<float>(scene_.samples);
+    const float off = dot2(edge.normal, cutPlace(p, q) - edge.foot);
+    const float bounded = off > -one ? std::min(off, one) : -one;
+    return bounded * (1.0f - 2.0f * std::fabs(leanTowards(p, q)));
+  }
+  static float meanOf(const std::vector<float>& values)
+  {
+    float sum = 0;
+    for (const float value : values)
+      sum += value;
+    return sum / static_cast<float>(values.size());
   }
 
   /// Takes away edges that are seen in few pixels, none of which touches another instance's, or
@@ -359,7 +462,7 @@ class Outlines {
     std::vector<bool> isSeen(edges_.size(), false);
     for (int y = 0; y < frame_.height; ++y)
       for (int x = 0; x < frame_.width; ++x) {
-        if (isSeen[index({x, y})] || !edges_[index({x, y})]) continue;
+        if (isSeen[index({x, y})] || !hasOwnEdge({x, y})) continue;
         std::vector<Pixel> found = {{x, y}};
         isSeen[index({x, y})] = true;
         bool isKept = false;
@@ -377,14 +480,14 @@ class Outlines {
                 continue;
               }
               if (!isBent && (right_[index(q)] || above_[index(q)])) isKept = true;
-              if (isSeen[index(q)] || !edges_[index(q)]) continue;
+              if (isSeen[index(q)] || !hasOwnEdge(q)) continue;
               isSeen[index(q)] = true;
               found.push_back(q);
             }
         }
         if (isKept || found.size() >= ImageOutline::kSmallestStep) continue;
         for (const Pixel p : found) {
-          edges_[index(p)].reset();
+          edges_[index(p)].clear();
           isUnited_[index(p)] = true;
         }
       }
@@ -397,6 +500,12 @@ class Outlines {
       }
   }
 
+  bool hasOwnEdge(Pixel p) const
+  {
+    return std::any_of(edges_[index(p)].begin(), edges_[index(p)].end(),
+                       [&](const Edge& edge) { return edge.of == layer(p).instance; });
+  }
+
   /// A way between a pixel and that to its right, or that above.
   struct Way {
     Pixel from;
@@ -407,11 +516,7 @@ class Outlines {
   {
     return (way.isRight ? right_ : above_)[index(way.from)];
   }
-  bool hasCrease(Way way) const
-  {
-    const Pixel p = way.from, q = way.to();
-    return isInside(p) && isInside(q) && placeOn(way) && layer(p).instance == layer(q).instance;
-  }
+  bool hasCrease(Way way) const { return isInside(way.from) && isInside(way.to()) && placeOn(way); }
   /// The ways that cross another one's squares: of each the other three sides.
   static std::vector<Way> besideOf(Way way)
   {
@@ -432,7 +537,8 @@ class Outlines {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const Pixel q = {p.x + dx, p.y + dy};
-        if (!isInside(q) || layer(q).instance != layer(p).instance || edges_[index(q)]) return true;
+        if (!isInside(q) || layer(q).instance != layer(p).instance || !edges_[index(q)].empty())
+          return true;
       }
     return false;
   }
@@ -604,13 +710,10 @@ class Outlines {
     sides.push_back({north, true});
     sides.erase(std::remove_if(sides.begin(), sides.end(), [&](Way way) { return !placeOn(way); }),
                 sides.end());
-    // Those between the same instances, and then the others.
+    // Those of the same instance, and then the others.
     while (!sides.empty()) {
-      const auto instances = [&](Way way) {
-        return std::minmax({layer(way.from).instance, layer(way.to()).instance});
-      };
       const auto isOther = [&, first = sides[0]](Way way) {
-        return instances(way) != instances(first);
+        return layer(way.from).instance != layer(first.from).instance;
       };
       const auto others =
           std::stable_partition(sides.begin(), sides.end(), [&](Way way) { return !isOther(way); });
@@ -621,15 +724,8 @@ class Outlines {
   void joinWays(const std::vector<Way>& ways, std::vector<Segment>& segments) const
   {
     const Pixel owner = ways[0].from, beyond = ways[0].to();
-    const bool isWhole = !isOutlined(layer(owner).instance) || !isOutlined(layer(beyond).instance);
-    const auto lean = [&](Way way) {
-      if (layer(owner).instance == layer(beyond).instance) return 0.0f;
-      const bool isOwners = layer(way.from).instance == layer(owner).instance;
-      return isOwners ? leanTowards(way.from, way.to()) : leanTowards(way.to(), way.from);
-    };
     if (ways.size() <= 2) {
-      segments.push_back({*placeOn(ways.front()), *placeOn(ways.back()), owner, beyond,
-                          lean(ways.front()), lean(ways.back()), isWhole});
+      segments.push_back({*placeOn(ways.front()), *placeOn(ways.back()), owner, beyond});
       return;
     }
     Vec2f middle = {0, 0};
@@ -637,7 +733,7 @@ class Outlines {
       middle = middle + *placeOn(way);
     middle = middle * (1.0f / static_cast<float>(ways.size()));
     for (const Way way : ways)
-      segments.push_back({middle, *placeOn(way), owner, beyond, lean(way), lean(way), isWhole});
+      segments.push_back({middle, *placeOn(way), owner, beyond});
   }
 
   /// What lines are measured for: a share of a pixel, and a pixel that shows the surface there.
@@ -706,9 +802,8 @@ class Outlines {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const Pixel q = {p.x + dx, p.y + dy};
-        if (isInside(q) && layer(q).instance == l.other && !showSame(p, q) &&
-            (isCut(p, q) || ownsEdge(p, q)))
-          behind.push_back(q);
+        if (!isInside(q) || layer(q).instance != l.other || showSame(p, q)) continue;
+        if (l.other != l.instance || ownsEdge(p, q)) behind.push_back(q);
       }
     // In specks it is the same surface.
     if (l.other == l.instance && isUnited_[index(p)]) behind = {p};
@@ -716,90 +811,101 @@ class Outlines {
     const Pixel shown = *std::max_element(behind.begin(), behind.end(),
                                           [&](Pixel u, Pixel v) { return depth(u) < depth(v); });
     const float part = static_cast<float>(l.covered - l.count) / static_cast<float>(scene_.samples);
-    return shareOfLines({p, shown, 1}) * part * (1.0f - layer(shown).halo);
+    const float behindHalo = 1.0f - layer(shown).halo;
+    // Where it does not go on behind the layer it ends in the pixel.
+    if (l.other != l.instance && leanTowards(p, shown) < 0.5f)
+      return shareOfLines({p, shown, part}) * behindHalo;
+    return shareOfLines({p, shown, 1}) * part * behindHalo;
   }
 
   float shareOfLines(const Target& target) const
   {
-    const float middle = std::max(shareOfCrease(target, false), shareOfCrease(target, true));
-    return std::max(shareOfBorder(target), middle * target.own);
+    return std::max(shareOfBorder(target), shareOfCrease(target) * target.own);
   }
 
   float shareOfBorder(const Target& target) const
   {
     const Pixel p = target.pixel;
     const bool isByPlanes = styleAt(target.shown).imageOutline.detector == OutlineDetector::kPlane;
-    std::vector<Pixel> found, joined;
+    using Edges = std::vector<const Edge*>;
+    Edges found, joined;
     around(target, [&](Pixel q) {
-      const std::optional<Edge>& edge = edges_[index(q)];
-      if (!edge || layer(q).instance != layer(target.shown).instance) return;
-      // Farther out, and if no border cuts the pixel a little, it is behind a step.
-      if (dot2(edge->normal, edge->foot - centre(p)) <
-          (target.own < 1 || !isByPlanes ? -0.75f : -0.25f))
-        return;
-      found.push_back(q);
-      if (showSame(target.shown, q)) joined.push_back(q);
+      for (const Edge& edge : edges_[index(q)]) {
+        if (edge.of != layer(target.shown).instance) continue;
+        // Farther out, and if no border cuts the pixel a little, it is behind a step.
+        if (dot2(edge.normal, edge.foot - centre(p)) <
+            (target.own < 1 || !isByPlanes ? -0.75f : -0.25f))
+          continue;
+        found.push_back(&edge);
+        if (showSame(target.shown, edge.shown)) joined.push_back(&edge);
+      }
     });
     if (joined.empty()) return 0;
-    const auto way = [&](Pixel q) { return edges_[index(q)]->foot - centre(p); };
-    const auto nearestOf = [&](const std::vector<Pixel>& pixels) {
-      return *std::min_element(pixels.begin(), pixels.end(), [&](Pixel a, Pixel b) {
-        return dot2(way(a), way(a)) < dot2(way(b), way(b));
+    const auto way = [&](const Edge* edge) { return edge->foot - centre(p); };
+    // By how far the line is, which is not the same as how far its border is if some are cuts'.
+    const bool areEven =
+        std::all_of(found.begin(), found.end(), [](const Edge* edge) { return edge->part >= 1; });
+    const auto outside = [&](const Edge* edge) {
+      const float squared = dot2(way(edge), way(edge));
+      return areEven ? squared : std::sqrt(squared) - widthAt(target) * edge->part;
+    };
+    const auto nearestOf = [&](const Edges& edges) {
+      return *std::min_element(edges.begin(), edges.end(), [&](const Edge* a, const Edge* b) {
+        return outside(a) < outside(b);
       });
     };
-    const Pixel nearest = nearestOf(joined);
+    const Edge* const nearest = nearestOf(joined);
     // If it is the nearest of all, those beside it are of the same border.
-    const std::vector<Pixel>& same = index(nearestOf(found)) == index(nearest) ? found : joined;
-    const Vec2f n = edges_[index(nearest)]->normal, to = way(nearest);
-    if (n.x == 0 && n.y == 0) return index(nearest) == index(p) ? target.own : 0.0f;
+    const Edges& same = nearestOf(found) == nearest ? found : joined;
+    const Vec2f n = nearest->normal, to = way(nearest);
+    if (n.x == 0 && n.y == 0) return index(nearest->at) == index(p) ? target.own : 0.0f;
     const auto along = [&](Vec2f v) { return std::fabs(n.x * v.y - n.y * v.x); };
-    float distance = std::sqrt(dot2(to, to));
+    float distance = std::sqrt(dot2(to, to)), part = nearest->part;
     Vec2f across = n;
     if (along(to) > 1.5f) {
       // It may end there, where no other pixel's border goes on: in half a disc.
       const Vec2f t = {-n.y, n.x};
       const float side = dot2(t, to) > 0 ? -1.0f : 1.0f;
-      const bool goesOn = std::any_of(same.begin(), same.end(), [&](Pixel q) {
-        const Vec2f apart = edges_[index(q)]->foot - edges_[index(nearest)]->foot;
-        const Vec2f other = edges_[index(q)]->normal;
-        if (dot2(other, way(q)) <= 0) return false;
+      const bool goesOn = std::any_of(same.begin(), same.end(), [&](const Edge* edge) {
+        const Vec2f apart = edge->foot - nearest->foot;
+        const Vec2f other = edge->normal;
+        if (dot2(other, way(edge)) <= 0) return false;
         const bool isFurther = side * dot2(t, apart) > 0.5f, turns = dot2(other, n) < 0.7f;
         if (dot2(apart, apart) <= 9) return isFurther || turns;
         return isFurther && !turns && std::fabs(dot2(n, apart)) <= 1;
       });
       if (!goesOn && isByPlanes) {
-        const float radius = widthAt(target) * 0.5f;
+        const float radius = widthAt(target) * nearest->part * 0.5f;
         const Vec2f toEnd = to - n * radius;
         const float far = std::sqrt(dot2(toEnd, toEnd));
         return std::min(target.own, areaBelow(far > 0 ? toEnd * (1.0f / far) : n, radius - far));
       }
       across = to * (1.0f / distance);
     } else {
-      float sum = 0, weights = 0;
-      for (const Pixel q : same) {
-        const Vec2f other = edges_[index(q)]->normal;
-        const float weight = 3.0f - along(way(q));
+      float sum = 0, parts = 0, weights = 0;
+      for (const Edge* edge : same) {
+        const Vec2f other = edge->normal;
+        const float weight = 3.0f - along(way(edge));
         if (weight <= 0 || dot2(other, n) < 0.7f) continue;
         // Another border beside it is none of it.
-        if (std::fabs(dot2(n, edges_[index(q)]->foot - edges_[index(nearest)]->foot)) > 1) continue;
-        sum += weight * (0.5f * (dot2(other, way(q)) + dot2(n, way(q))));
+        if (std::fabs(dot2(n, edge->foot - nearest->foot)) > 1) continue;
+        sum += weight * (0.5f * (dot2(other, way(edge)) + dot2(n, way(edge))));
+        parts += weight * edge->part;
         weights += weight;
       }
       distance = sum / weights;
+      part = parts / weights;
     }
-    return std::max(0.0f, target.own - areaBelow(across, distance - widthAt(target)));
+    return std::max(0.0f, target.own - areaBelow(across, distance - widthAt(target) * part));
   }
 
-  /// `isWhole`: of the cuts that one side draws alone, else of those and creases in their middle.
-  float shareOfCrease(const Target& target, bool isWhole) const
+  float shareOfCrease(const Target& target) const
   {
     const Pixel p = target.pixel;
     std::optional<Vec2f> nearest;
     Vec2f side = {0, 0};
-    float part = 0.5f;
     around(target, [&](Pixel q) {
       for (const Segment& segment : segments_[index(q)]) {
-        if (segment.isWhole != isWhole) continue;
         if (!showSame(target.shown, segment.owner) && !showSame(target.shown, segment.beyond))
           continue;
         const Vec2f ab = segment.b - segment.a, a = segment.a - centre(p);
@@ -810,9 +916,6 @@ class Outlines {
         if (nearest && dot2(to, to) >= dot2(*nearest, *nearest)) continue;
         nearest = to;
         side = ab;
-        const float lean = segment.leanA + (segment.leanB - segment.leanA) * along;
-        const bool isOwners = layer(segment.owner).instance == layer(target.shown).instance;
-        part = isOwners ? 0.5f + lean : 0.5f - lean;
       }
     });
     if (!nearest) return 0;
@@ -823,9 +926,8 @@ class Outlines {
       n = *nearest * (1.0f / distance);
     else if (length > 0)
       n = {side.y / length, -side.x / length};
-    const float width = widthAt(target), near = isWhole ? width : width * part;
-    const float far = isWhole ? -width : near - width;
-    return areaBelow(n, near - distance) - areaBelow(n, far - distance);
+    const float half = widthAt(target) * 0.5f;
+    return areaBelow(n, half - distance) - areaBelow(n, -half - distance);
   }
 
   void paintLayer(Pixel p, float share) const
@@ -891,7 +993,7 @@ class Outlines {
   const Scene& scene_;
   const FrameView& frame_;
   const std::vector<Layer>& layers_;
-  std::vector<std::optional<Edge>> edges_;           ///< by the pixel that owns it
+  std::vector<std::vector<Edge>> edges_;  ///< by the pixel that they run through or beside
   std::vector<std::optional<Vec2f>> right_, above_;  ///< creases towards these neighbours
   std::vector<bool> isUnited_;                       ///< had an edge that was a speck's
   std::vector<std::vector<Segment>> segments_;       ///< by the lower left pixel of its square
