@@ -56,12 +56,10 @@ struct ImageOutline {
   /// Creases that cross fewer ways from a pixel to the next, one after the other, are left out; but
   /// for those that touch a border, also between ids, a step's line or the picture's edge.
   static constexpr unsigned kShortestCrease = 8;
-  /// Two instances cut each other where each lies before the other's plane. The plane of a rounded
-  /// one runs a little before it: of how far the one is before the other's that may be behind by
-  /// this share.
-  static constexpr float kBesideCut = 0.125f;
-  /// And where the steeper is not too steep to tell how far it goes on: the square of one over its
-  /// normal's cosine to the gaze, here that of 12 pixels in depth for one aside.
+  /// Where two instances cut each other the line goes over to the side of the one that comes to its
+  /// outline, and to that of a steep one, of which nobody can tell how far that is: from here on,
+  /// the square of one over its normal's cosine to the gaze, that of 12 pixels in depth for one
+  /// aside.
   static constexpr float kSteepestCut = 145;
   /// Where two surfaces meet in a groove there is no step, though a steep one leaves the other's
   /// plane by more than depthTolerance within a pixel. Where one ends before another their planes
