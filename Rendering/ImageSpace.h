@@ -44,10 +44,11 @@ inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
 /// `Style::outlineWidth` wide from the border, which is found in the coverage of the samples to a
 /// part of a pixel. Creases lie in the middle of their line, and so do borders along which two
 /// instances cut each other, each drawing what is on its side: more of it, up to all, where it
-/// comes to its outline, and all of it if only one has lines. Antialiased by the share of the pixel
-/// that the line covers. A line is drawn in the pixels of its surface: those from which a straight
-/// way to it crosses no step by kPlane and no other instance; and in pixels that a surface shares
-/// with another one's border as if it filled them, as far as it does.
+/// comes to its outline, and if only one has lines all of it, unless less than a quarter would be
+/// on its side. Antialiased by the share of the pixel that the line covers. A line is drawn in the
+/// pixels of its surface: those from which a straight way to it crosses no step by kPlane and no
+/// other instance; and in pixels that a surface shares with another one's border as if it filled
+/// them, as far as it does.
 struct ImageOutline {
   /// Steps in fewer pixels that touch each other are specks, and left out; but for those that touch
   /// a border. Where normals differ they count as creases, so that a crease's line is one though

@@ -65,6 +65,7 @@ Length parseOutlineWidth(Text option, Text text)
   {
     throw UserError(option + "=" + text + " is not " + range);
   }
+  refuseTiny(option, text, width.value);
   return width;
 }
 

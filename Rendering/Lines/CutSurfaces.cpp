@@ -5,7 +5,6 @@
 // before the other, or they cut each other.
 #include "Rendering/Lines/FindEdges.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace limn {
@@ -85,8 +84,10 @@ float EdgeFinder::partOf(const Pixel& beyond, float lean) const
 
 bool EdgeFinder::isInstanceAt(int x, int y, std::uint32_t instance) const
 {
-  const bool isInside = x >= 0 && y >= 0 && x < layers_.width && y < layers_.height;
-  return isInside && layers_.instance[layers_.indexOf(x, y)] == instance;
+  // Farther out the layers may be an earlier frame's.
+  const PixelRectangle& touched = pass_.touched;
+  const bool isTouched = x >= touched.x0 && x < touched.x1 && y >= touched.y0 && y < touched.y1;
+  return isTouched && layers_.instance[layers_.indexOf(x, y)] == instance;
 }
 
 /// Of a pixel to its surface's own outline: 0.5 or more where that is within kNearestOutline pixels

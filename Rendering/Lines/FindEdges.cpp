@@ -38,7 +38,7 @@ EdgeFinder::EdgeFinder(const OutlinePass& pass)
         {isOutlined, outline.detector, outline.creases, crease, hasIdBorders(instance)});
     bounds_.asks.push_back(
         !isOutlined
-            ? kMayHaveEdge  // what cuts others
+            ? kMayHaveEdge  // beside what has lines
             : kMayHaveEdge | kMayCreaseRight | kMayCreaseAbove |
                   (outline.detector == OutlineDetector::kPlane ? 0 : NeighbourBounds::kAlways));
     bounds_.tolerance.push_back(outline.depthTolerance);

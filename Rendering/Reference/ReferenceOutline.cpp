@@ -299,8 +299,10 @@ class Outlines {
   float nearnessOfOutline(Pixel p, Vec3f eye) const
   {
     const float cosine = dot(layer(p).plane, eye);
-    const float steep = std::min(1.0f, 2.0f - cosine * cosine * 290.0f / dot(eye, eye));
-    return std::max(steep, inverseDistanceOfOutline(p, eye)) * 1.5f;
+    const float steep = 2.0f - cosine * cosine * 290.0f / dot(eye, eye);
+    const float inverse = inverseDistanceOfOutline(p, eye);
+    // Of what is no number, so far out that squares overflow, the normals tell.
+    return (steep > inverse ? std::min(steep, 1.0f) : inverse) * 1.5f;
   }
   /// The square of the normal's cosine is 1 - (r/R)^2 on a sphere, r from the outline's middle. The
   /// length of its gradient over it, upwards: one over how many pixels there are to the outline.

@@ -256,5 +256,23 @@ TEST(CutOutline, IsTheSameInBothBackendsWhereNormalsArePerpendicularToTheGaze)
   }
 }
 
+/// A groove that ends two pixels before a tile does, where an earlier frame showed a surface of the
+/// same number that lay otherwise.
+TEST_P(CutOutlines, DoNotDependOnAnEarlierFrame)
+{
+  const OwnedMesh wide = sheet({0, 0, 0}, {128, 0, 0}, {0, 128, 0});
+  const OwnedMesh rising = sheet({20, 20, 0}, {41.5, 0, 41.5}, {0, 40, 0});
+  const OwnedMesh falling = sheet({20, 20, 80}, {41.5, 0, -41.5}, {0, 40, 0});
+  Stage stage = flatStage(128, 1);
+  stage.view = parallelView({64, 64, 200}, {64, 64, 0}, 64, {1, 400});
+  Stage before = stage;
+  before.instances = {outlined(wide, 4, 1)};
+  stage.instances = {outlined(rising, 4, 1), outlined(falling, 4, 2)};
+  const Picture expected = drawOverWhite(stage, Backend::kReference);
+  drawOverWhite(before, GetParam());
+  const Picture picture = drawOverWhite(stage, GetParam());
+  EXPECT_EQ(picture.differingPixels(expected), 0u);
+}
+
 }  // namespace
 }  // namespace limn::testing

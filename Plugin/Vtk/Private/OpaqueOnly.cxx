@@ -5,6 +5,7 @@
 #include "vtkActor.h"
 
 #include <array>
+#include <iterator>
 
 namespace limn::bridge
 {
@@ -54,11 +55,23 @@ void OpaqueOnly::look(vtkActor* actor, const Instance& instance)
   }
   if (now != 0)
   {
+    if (known == said_.end())
+    {
+      this->forgetDeleted();
+    }
     said_[actor] = { actor, now };
   }
   else if (known != said_.end())
   {
     said_.erase(known);
+  }
+}
+
+void OpaqueOnly::forgetDeleted()
+{
+  for (auto one = said_.begin(); one != said_.end();)
+  {
+    one = one->second.actor ? std::next(one) : said_.erase(one);
   }
 }
 

@@ -23,6 +23,9 @@ public:
   void look(vtkActor* actor, const Instance& instance);
 
 private:
+  /// Of actors that are no more.
+  void forgetDeleted();
+
   struct Said
   {
     vtkWeakPointer<vtkActor> actor; ///< its address may be another's by now
