@@ -86,8 +86,8 @@ float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
 HaloShare HaloCut::overPane(int x, int y, float depth, std::uint32_t instance) const
 {
   const std::size_t index = layers_.indexOf(x, y);
-  std::size_t owner = layers_.haloOwner[index];
   float share = shareAt(x, y, depth, instance);
+  std::size_t owner = share > 0.0f ? layers_.haloOwner[index] : index;
   if (layers_.ends[index] != 0) {
     const HaloBorder border(scene_, layers_, index);
     const float ofRest = border.shareOfRest(border.widthOver(distanceAt(x, y, depth)));

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 namespace limn {
 namespace {
@@ -107,6 +108,19 @@ float haloWidth(const Instance& instance)
   return hasCues(instance) ? instance.style.cues.halo.width : 0.0f;
 }
 
+/// A depth that nothing with a halo is before.
+float nearestHalo(const PlacedScene& scene, const TileBins& bins)
+{
+  float nearest = std::numeric_limits<float>::infinity();
+  for (const PlacedInstance& placed : scene.instances) {
+    if (!(haloWidth(*placed.instance) > 0.0f)) continue;
+    const std::size_t clusters = placed.mesh().clusters.size();
+    for (std::size_t c = placed.firstCluster; c < placed.firstCluster + clusters; ++c)
+      if (!bins.bounds[c].empty()) nearest = std::min(nearest, bins.bounds[c].nearest);
+  }
+  return nearest;
+}
+
 /// Around the clusters of what has a halo.
 void markHalos(const PlacedScene& scene, const TileBins& bins, int threads, ReachMarker& marker)
 {
@@ -129,7 +143,7 @@ void TilePanes::add(const TileClusters& clusters, int samples,
                     const TranslucentFragments& fragments)
 {
   for (const TranslucentFragments::Pixel& touched : fragments.touched()) {
-    if (!isReached(touched.pixel)) continue;
+    if (!isIn(reach_.ofLines, touched.pixel) && !isIn(reach_.ofHalos, touched.pixel)) continue;
     const auto lists = static_cast<std::uint32_t>(
         fragments.areSameInAll(touched, static_cast<std::uint32_t>(samples)) ? 1 : samples);
     pixels_.push_back({touched.pixel, static_cast<std::uint32_t>(listEnd_.size()), lists});
@@ -144,7 +158,29 @@ void TilePanes::add(const TileClusters& clusters, int samples,
       }
       listEnd_.push_back(static_cast<std::uint32_t>(panes_.size()));
     }
+    if (!isNeeded(pixels_.back())) dropLast();
   }
+}
+
+/// Whether a line may be there, or something lies behind what has a halo.
+bool TilePanes::isNeeded(const Pixel& pixel) const
+{
+  if (isIn(reach_.ofLines, pixel.pixel)) return true;
+  std::size_t farthest = firstPane(pixel);
+  for (std::uint32_t list = 0; list < pixel.lists; ++list) {
+    const std::size_t end = listEnd_[pixel.firstList + list];
+    if (farthest < end && panes_[farthest].depth >= reach_.nearestHalo) return true;
+    farthest = end;
+  }
+  return false;
+}
+
+void TilePanes::dropLast()
+{
+  const Pixel pixel = pixels_.back();
+  panes_.resize(firstPane(pixel));
+  listEnd_.resize(pixel.firstList);
+  pixels_.pop_back();
 }
 
 LineColor TilePanes::before(const Pixel& pixel, Vec3f color, float depth,
@@ -170,11 +206,12 @@ LineColor TilePanes::before(const Pixel& pixel, Vec3f color, float depth,
 Panes::Panes(const PlacedScene& scene, const TileBins& bins, int threads)
     : tiles_(bins.grid.count())
 {
-  ReachMarker marker(bins.grid);
-  markStrokes(*scene.scene, bins.grid, threads, marker);
-  markHalos(scene, bins, threads, marker);
+  ReachMarker ofLines(bins.grid), ofHalos(bins.grid);
+  markStrokes(*scene.scene, bins.grid, threads, ofLines);
+  markHalos(scene, bins, threads, ofHalos);
+  const float nearest = nearestHalo(scene, bins);
   for (std::size_t tile = 0; tile < tiles_.size(); ++tile)
-    tiles_[tile].reach(marker.of(tile));
+    tiles_[tile].reach({ofLines.of(tile), ofHalos.of(tile), nearest});
 }
 
 bool Panes::areBeforeLines(const Scene& scene, const FrameView& frame)

@@ -28,8 +28,14 @@ using TileBlocks = std::uint16_t;
 inline constexpr int kPaneBlockSide = 16;  ///< pixels
 static_assert(kTileSide == 4 * kPaneBlockSide, "a bit of TileBlocks for each block");
 
-/// The translucent surfaces of one tile, among which its lines are seen; those in blocks that no
-/// line reaches are not kept.
+/// Of a tile what may need its panes.
+struct PaneReach {
+  TileBlocks ofLines = 0, ofHalos = 0;
+  float nearestHalo = 0;  ///< a depth that nothing with a halo is before
+};
+
+/// The translucent surfaces of one tile, among which its lines are seen, and which halos cut; those
+/// that neither lines nor halos reach are not kept, nor those that only lie before halos.
 class TilePanes {
  public:
   /// Those of a pixel: one list for all of its samples, or one for each.
@@ -37,8 +43,8 @@ class TilePanes {
     std::uint32_t pixel;  ///< row * kTileSide + column, within the tile
     std::uint32_t firstList, lists;
   };
-  void reach(TileBlocks blocks) { reached_ = blocks; }
-  bool isReached() const { return reached_ != 0; }
+  void reach(const PaneReach& reach) { reach_ = reach; }
+  bool isReached() const { return (reach_.ofLines | reach_.ofHalos) != 0; }
   /// Requires: fragments that are shaded and have their depths.
   void add(const TileClusters& clusters, int samples, const TranslucentFragments& fragments);
   const std::vector<Pixel>& pixels() const { return pixels_; }
@@ -67,14 +73,16 @@ class TilePanes {
     const Vec3f c = sum.color, r = sum.radiance;
     return {{c.x / count, c.y / count, c.z / count}, {r.x / count, r.y / count, r.z / count}};
   }
-  bool isReached(std::uint32_t pixel) const
+  static bool isIn(TileBlocks blocks, std::uint32_t pixel)
   {
     constexpr std::uint32_t kSide = kTileSide, kBlock = kPaneBlockSide;
     const std::uint32_t row = pixel / kSide / kBlock, column = pixel % kSide / kBlock;
-    return (reached_ >> (row * (kSide / kBlock) + column) & 1u) != 0;
+    return (blocks >> (row * (kSide / kBlock) + column) & 1u) != 0;
   }
+  bool isNeeded(const Pixel& pixel) const;
+  void dropLast();
 
-  TileBlocks reached_ = 0;
+  PaneReach reach_;
   std::vector<Pixel> pixels_;
   std::vector<std::uint32_t> listEnd_;  ///< in panes_
   std::vector<Pane> panes_;             ///< of each list the farthest first

@@ -9,19 +9,6 @@
 #include <algorithm>
 
 namespace limn {
-
-bool Veil::isNeeded(const Scene& scene, const FrameView& frame)
-{
-  if (frame.background == Background::kKeepApart) return false;
-  const auto isAny = [&](auto&& holds) {
-    return std::any_of(scene.instances.begin(), scene.instances.end(), holds);
-  };
-  return isAny([](const Instance& one) { return one.isTranslucent(); }) &&
-         isAny([](const Instance& one) {
-           return !one.isTranslucent() && (hasImageOutline(one) || hasCues(one));
-         });
-}
-
 namespace {
 
 void addHalosOfTile(const HaloCut& cut, const TileRectangle& tile, TilePanes& panes,
@@ -42,6 +29,18 @@ void addHalosOfTile(const HaloCut& cut, const TileRectangle& tile, TilePanes& pa
 }
 
 }  // namespace
+
+bool Veil::isNeeded(const Scene& scene, const FrameView& frame)
+{
+  if (frame.background == Background::kKeepApart) return false;
+  const auto isAny = [&](auto&& holds) {
+    return std::any_of(scene.instances.begin(), scene.instances.end(), holds);
+  };
+  return isAny([](const Instance& one) { return one.isTranslucent(); }) &&
+         isAny([](const Instance& one) {
+           return !one.isTranslucent() && (hasImageOutline(one) || hasCues(one));
+         });
+}
 
 void Veil::addHalos(const Scene& scene, const SurfaceLayers& layers, const TileGrid& grid,
                     Panes& panes, int threads)
