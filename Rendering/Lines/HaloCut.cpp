@@ -28,9 +28,14 @@ float HaloBorder::widthOver(float other) const
 
 float HaloBorder::shareOf(float haloWidth, float dx, float dy) const
 {
-  const float fromBorder = std::sqrt(dx * dx + dy * dy) - (covered - 0.5f);
-  const float unbounded = haloWidth + 0.5f - fromBorder;
+  const float unbounded = reachOver(haloWidth, dx, dy);
   return unbounded < 1.0f ? unbounded : 1.0f;
+}
+
+float HaloBorder::reachOver(float haloWidth, float dx, float dy) const
+{
+  const float fromBorder = std::sqrt(dx * dx + dy * dy) - (covered - 0.5f);
+  return haloWidth + 0.5f - fromBorder;
 }
 
 float HaloBorder::shareOfRest(float haloWidth) const
@@ -66,8 +71,12 @@ float HaloCut::riseAt(std::size_t owner) const
 float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
 {
   const std::size_t index = layers_.indexOf(x, y);
-  if (!(layers_.halo[index] > 0.0f)) return 0.0f;
-  const std::size_t owner = layers_.haloOwner[index];
+  return layers_.halo[index] > 0.0f ? shareBy(layers_.haloOwner[index], x, y, depth, instance)
+                                    : 0.0f;
+}
+
+float HaloCut::shareBy(std::size_t owner, int x, int y, float depth, std::uint32_t instance) const
+{
   const HaloBorder border(scene_, layers_, owner);
   const float distance = distanceAt(x, y, depth);
   const auto columns = static_cast<std::size_t>(layers_.width);
@@ -86,8 +95,15 @@ float HaloCut::shareAt(int x, int y, float depth, std::uint32_t instance) const
 HaloShare HaloCut::overPane(int x, int y, float depth, std::uint32_t instance) const
 {
   const std::size_t index = layers_.indexOf(x, y);
-  float share = shareAt(x, y, depth, instance);
-  std::size_t owner = share > 0.0f ? layers_.haloOwner[index] : index;
+  float share = 0.0f;
+  std::size_t owner = index;
+  if (layers_.halo[index] > 0.0f)
+    for (const std::size_t one : {layers_.haloOwner[index], layers_.haloBorder[index]}) {
+      const float by = shareBy(one, x, y, depth, instance);
+      if (!(by > share)) continue;
+      share = by;
+      owner = one;
+    }
   if (layers_.ends[index] != 0) {
     const HaloBorder border(scene_, layers_, index);
     const float ofRest = border.shareOfRest(border.widthOver(distanceAt(x, y, depth)));

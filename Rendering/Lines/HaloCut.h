@@ -25,6 +25,8 @@ struct HaloBorder {
   float widthOver(float other) const;
   /// The share of a pixel that a halo so wide has, (dx, dy) pixels away; below 0: none.
   float shareOf(float haloWidth, float dx, float dy) const;
+  /// The same, and above 1 by how far the halo reaches beyond the pixel.
+  float reachOver(float haloWidth, float dx, float dy) const;
   /// The share that a halo so wide has of what the surface leaves of its own pixel.
   float shareOfRest(float haloWidth) const;
 };
@@ -42,7 +44,7 @@ struct HaloShare {
 /// between.
 class HaloCut {
  public:
-  /// Requires: SurfaceLayers::halo, haloOwner and ends.
+  /// Requires: SurfaceLayers::halo, haloOwner and ends; for translucent surfaces haloBorder.
   HaloCut(const Scene& scene, const SurfaceLayers& layers) : scene_(scene), layers_(layers) {}
 
   /// The share of a stroke's pixel that is cut. `depth` is the window's; above 1 where hidden.
@@ -59,6 +61,7 @@ class HaloCut {
   HaloShare overPane(int x, int y, float depth, std::uint32_t instance) const;
 
  private:
+  float shareBy(std::size_t owner, int x, int y, float depth, std::uint32_t instance) const;
   float distanceAt(int x, int y, float depth) const;
   float riseAt(std::size_t owner) const;
 

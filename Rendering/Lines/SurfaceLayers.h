@@ -72,11 +72,14 @@ struct SurfaceLayers {
   /// behind, if the scene has lines or translucent surfaces. Empty: there are no halos.
   Array<float> halo;
   Array<std::uint32_t> haloOwner;  ///< where that is not 0: the pixel whose surface has the halo
-  Array<std::uint8_t> ends;        ///< 1 where a surface with a halo ends; else 0
-  bool hasIds = false;             ///< the next two are written
-  Array<std::uint32_t> id;         ///< of Attributes::cellIds that of most samples, or the first of
-                                   ///< these; 0: there are none
-  Array<std::uint8_t> idSamples;   ///< how many of `count` show it
+  /// Likewise, the pixel whose halo reaches farthest beyond it, which need not be that of the
+  /// nearest surface; if the scene has translucent surfaces.
+  Array<std::uint32_t> haloBorder;
+  Array<std::uint8_t> ends;       ///< 1 where a surface with a halo ends; else 0
+  bool hasIds = false;            ///< the next two are written
+  Array<std::uint32_t> id;        ///< of Attributes::cellIds that of most samples, or the first of
+                                  ///< these; 0: there are none
+  Array<std::uint8_t> idSamples;  ///< how many of `count` show it
 
   std::size_t indexOf(int x, int y) const
   {

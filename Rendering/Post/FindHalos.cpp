@@ -17,6 +17,7 @@ HaloFinder::HaloFinder(const CuePass& pass, const DistancePlane& distances)
     const float width = hasCues(instance) ? instance.style.cues.halo.width : 0.0f;
     width_.push_back(width);
     if (width > 0.0f) reach_ = std::max(reach_, static_cast<int>(std::ceil(width)) + 1);
+    cutsPanes_ = cutsPanes_ || instance.isTranslucent();
     cutsOverNobody_ = cutsOverNobody_ || !instance.lines.empty() || instance.isTranslucent();
   }
 }
@@ -28,6 +29,7 @@ void HaloFinder::find()
   layers.halo.resize(layers.instance.size());
   layers.haloOwner.resize(layers.instance.size());
   layers.ends.resize(layers.instance.size());
+  if (cutsPanes_) layers.haloBorder.resize(layers.instance.size());
   forEachRow(pass_.threads, layers.height, [&](int y) { findBorders(y); });
   forEachRow(pass_.threads, layers.height, [&](int y) { findShares(y); });
 }
@@ -91,9 +93,10 @@ void HaloFinder::findShares(int y)
   SurfaceLayers& layers = pass_.layers;
   std::fill_n(layers.halo.data() + layers.indexOf(0, y), static_cast<std::size_t>(layers.width),
               0.0f);
+  std::vector<float> farthest(cutsPanes_ ? static_cast<std::size_t>(layers.width) : 0, 0.0f);
   for (int row = std::max(y - reach_, 0); row <= std::min(y + reach_, layers.height - 1); ++row)
     for (const Column& column : borders_[static_cast<std::size_t>(row)])
-      addHalo(y, column, row);
+      addHalo(y, column, row, farthest);
 }
 
 /// Of parts of one instance: whether they are different surfaces.
@@ -115,8 +118,9 @@ bool HaloFinder::areOneSurface(std::size_t behind, std::size_t before, bool isBe
          !(isBeforeItself && isStep(behind, before));
 }
 
-/// Over the pixels of row y, of the surface that ends in another row.
-void HaloFinder::addHalo(int y, Column end, int row)
+/// Over the pixels of row y, of the surface that ends in another row. `farthest`: how far halos
+/// reach beyond the row's pixels, if haloBorder is wanted.
+void HaloFinder::addHalo(int y, Column end, int row, std::vector<float>& farthest)
 {
   const int column = end.x;
   SurfaceLayers& layers = pass_.layers;
@@ -130,12 +134,20 @@ void HaloFinder::addHalo(int y, Column end, int row)
     if (other == DistancePlane::kFar && !cutsOverNobody_) continue;
     const float width = border.widthOver(other);
     if (width == 0.0f) continue;
-    const float share = border.shareOf(width, static_cast<float>(x - column), dy);
+    const float reachOver = border.reachOver(width, static_cast<float>(x - column), dy);
+    if (!(reachOver > 0.0f)) continue;
+    const float share = reachOver < 1.0f ? reachOver : 1.0f;
     const std::size_t index = layers.indexOf(x, y);
-    if (!(share > 0.0f) || share < layers.halo[index]) continue;
+    const bool isFarthest = !farthest.empty() && reachOver > farthest[static_cast<std::size_t>(x)];
     const bool isBetter = share > layers.halo[index] ||
-                          border.distance < -layers.pointAt(layers.haloOwner[index]).position.z;
-    if (!isBetter || areOneSurface(index, before, end.isBeforeItself)) continue;
+                          (share == layers.halo[index] &&
+                           border.distance < -layers.pointAt(layers.haloOwner[index]).position.z);
+    if (!(isBetter || isFarthest) || areOneSurface(index, before, end.isBeforeItself)) continue;
+    if (isFarthest) {
+      farthest[static_cast<std::size_t>(x)] = reachOver;
+      layers.haloBorder[index] = static_cast<std::uint32_t>(before);
+    }
+    if (!isBetter) continue;
     layers.halo[index] = share;
     layers.haloOwner[index] = static_cast<std::uint32_t>(before);
   }

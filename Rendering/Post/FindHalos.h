@@ -46,12 +46,13 @@ class HaloFinder {
   End endAt(int x, int y) const;
   void findBorders(int y);
   void findShares(int y);
-  void addHalo(int y, Column end, int row);
+  void addHalo(int y, Column end, int row, std::vector<float>& farthest);
   bool isStep(std::size_t behind, std::size_t before) const;
 
   const CuePass& pass_;
   const DistancePlane& distances_;
   int reach_ = 0;                ///< of the widest halo, in pixels
+  bool cutsPanes_ = false;       ///< there are translucent surfaces
   bool cutsOverNobody_ = false;  ///< lines or translucent surfaces, which may be there
   std::vector<float> width_;     ///< by instance; 0: none
   std::vector<std::vector<Column>> borders_;

@@ -299,14 +299,14 @@ class Cues {
     return static_cast<float>(layer(q).count) / static_cast<float>(scene_.samples);
   }
 
-  /// How much of p is in the halo of the surface at q.
-  float haloShare(Pixel p, Pixel q) const
+  /// How much of p is in the halo of the surface at q, and above 1 how far this goes on beyond p.
+  float haloReach(Pixel p, Pixel q) const
   {
     const float width = haloWidth(p, q);
     if (width == 0) return 0;
     const auto dx = static_cast<float>(p.x - q.x), dy = static_cast<float>(p.y - q.y);
     const float fromBorder = std::sqrt(dx * dx + dy * dy) - (coveredShare(q) - 0.5f);
-    return std::clamp(width + 0.5f - fromBorder, 0.0f, 1.0f);
+    return std::max(0.0f, width + 0.5f - fromBorder);
   }
 
   /// The widest halo over p; of equal ones that of the nearer surface, then of the first pixel.
@@ -317,11 +317,16 @@ class Cues {
       if (hasCues(instance))
         reach = std::max(reach, static_cast<int>(std::ceil(instance.style.cues.halo.width)) + 1);
     HaloAt& best = halos_[index(p)];
+    float farthest = 0;
     for (int y = p.y - reach; y <= p.y + reach; ++y)
       for (int x = p.x - reach; x <= p.x + reach; ++x) {
         const Pixel q = {x, y};
         if (!isInside(q) || !borders_[index(q)].overOthers) continue;
-        const float share = haloShare(p, q);
+        const float beyond = haloReach(p, q), share = std::min(1.0f, beyond);
+        if (beyond > farthest) {
+          farthest = beyond;
+          layers_[index(p)].haloBeyond = index(q);
+        }
         const bool isBetter =
             share > best.share ||
             (share == best.share && share > 0 && distance(q) < -layers_[best.of].point.position.z);
@@ -485,13 +490,18 @@ HaloOverPane HalosOverPanes::at(int x, int y, float depth) const
   const float distance = -toView_.at(middleX, middleY, depth).position.z;
   const Layer& here = layers_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
   HaloOverPane result;
-  if (here.halo > 0) {
-    const Layer& border = layers_[here.haloOf];
-    const auto dx = static_cast<float>(x - static_cast<int>(here.haloOf % width_));
-    const auto dy = static_cast<float>(y - static_cast<int>(here.haloOf / width_));
+  const auto add = [&](std::size_t pixel) {
+    const Layer& border = layers_[pixel];
+    const auto dx = static_cast<float>(x - static_cast<int>(pixel % width_));
+    const auto dy = static_cast<float>(y - static_cast<int>(pixel / width_));
     const float beyond = std::sqrt(dx * dx + dy * dy) - (coveredShare(border) - 0.5f);
     const float width = widthOver(distance, border);
-    if (width > 0) result = {std::clamp(width + 0.5f - beyond, 0.0f, 1.0f), haloOf(border).color};
+    const float share = width > 0 ? std::clamp(width + 0.5f - beyond, 0.0f, 1.0f) : 0.0f;
+    if (share > result.share) result = {share, haloOf(border).color};
+  };
+  if (here.halo > 0) {
+    add(here.haloOf);
+    add(here.haloBeyond);
   }
   if (here.endsHere && here.count < scene_.samples) {
     const float left = 1.0f - coveredShare(here);

@@ -26,8 +26,9 @@ struct Layer {
   std::uint32_t id = 0;  ///< that of Attributes::cellIds that most of `count` show, or the first
   int idSamples = 0;     ///< how many of `count` show that
   float halo = 0;  ///< share of it that a halo has; of nobody's what it had of a layer far off
-  std::size_t haloOf = 0;  ///< if that is not 0: the pixel whose surface has the halo
-  bool endsHere = false;   ///< the surface has a halo and ends here
+  std::size_t haloOf = 0;      ///< if that is not 0: the pixel whose surface has the halo
+  std::size_t haloBeyond = 0;  ///< likewise: the pixel whose halo goes on farthest beyond this one
+  bool endsHere = false;       ///< the surface has a halo and ends here
 };
 
 /// Whether two points lie on different surfaces of one instance: one is off the other's plane by

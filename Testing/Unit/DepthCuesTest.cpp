@@ -608,6 +608,28 @@ TEST_P(DepthCuesOn, HalosCutTranslucentSurfacesBehind)
       }
 }
 
+// As far as the nearest border has it, not that part of the surface which is nearest to the eye.
+TEST_P(DepthCuesOn, HalosAreNarrowerOverTranslucentSurfacesLittleBehind)
+{
+  const OwnedMesh pane = sheet({-9, -9, 44}, {90, 0, 0}, {0, 90, 10});
+  const OwnedMesh post = sheet({28, -9, 50}, {8, 0, 0}, {0, 90, 10});
+  for (const int samples : {1, 4}) {
+    Stage stage = flatStage(64, samples);
+    stage.instances = {painted(pane, {0, 0, 1}), painted(post, {1, 0, 0})};
+    stage.instances[0].material.opacity = 0.5f;
+    stage.instances[1].style.cues.halo = {3, 4, {0, 1, 0}};
+    const Picture picture = drawOver(stage, GetParam());
+    // Half of four widths behind.
+    for (const int x : {23, 24, 25, 26, 27, 36, 37, 38, 39, 40}) {
+      const double distance = x < 28 ? 28 - (x + 0.5) : x + 0.5 - 36;
+      const auto share = static_cast<float>(std::clamp(1.5 + 0.5 - distance, 0.0, 1.0));
+      for (const int y : {20, 30, 40})
+        EXPECT_NEAR(at(picture, x, y).b, half(1 - share, kBackground.b), 6)
+            << x << ", " << y << ", " << samples << " samples";
+    }
+  }
+}
+
 // At the border of what has the halo, too, of which the pixels have parts.
 TEST_P(DepthCuesOn, HalosOverTranslucentSurfacesCoverWidthTimesLength)
 {
