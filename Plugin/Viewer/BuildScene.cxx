@@ -300,8 +300,8 @@ int creaseDetectorOf(CreaseDetector detector)
 void setOutline(const SceneSettings& settings, vtkLimnProperty& property)
 {
   const MaterialSettings& material = settings.material;
-  const double usual = 0; // what the outline has of itself
-  const double width = material.outlineWidth ? pixelsOf(*material.outlineWidth, settings) : usual;
+  // 0: as wide as its kind usually is.
+  const double width = material.outlineWidth ? pixelsOf(*material.outlineWidth, settings) : 0;
   const bool isVisible = width > 0 || !material.outlineWidth;
   property.SetOutline(outlineOf(isVisible ? material.outline : Outline::None));
   property.SetOutlineColor(material.outlineColor.value_or(Color{ 0, 0, 0 }).data());

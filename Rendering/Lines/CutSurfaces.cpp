@@ -22,11 +22,6 @@ constexpr float kMeetingReach = 2, kMeetingDepth = 0.5f;
 /// would be on that side.
 constexpr float kFade = 4;
 
-float absolute(float x)
-{
-  return x < 0.0f ? -x : x;
-}
-
 /// 0 and 1 if it is less or more.
 float clamped(float x)
 {
@@ -42,7 +37,7 @@ float EdgeFinder::gapBetween(const Pixel& first, const Pixel& second) const
   const SurfacePatch &a = first.layer, &b = second.layer;
   const PlaneDistances distances(a, b);
   if (distances.ofFirst > 0.0f && distances.ofSecond > 0.0f) return 0.0f;
-  const float ofFirst = absolute(distances.ofFirst), ofSecond = absolute(distances.ofSecond);
+  const float ofFirst = std::fabs(distances.ofFirst), ofSecond = std::fabs(distances.ofSecond);
   const float more = ofFirst < ofSecond ? ofSecond : ofFirst;
   const float offRidge = more / tolerance(first, second) - 1.0f;
   if (!(distances.ofFirst > 0.0f || distances.ofSecond > 0.0f)) return clamped(offRidge);
@@ -50,7 +45,7 @@ float EdgeFinder::gapBetween(const Pixel& first, const Pixel& second) const
   const Vec3f eye = towardEye(a, b);
   const float atFirst = ofFirst * dot(a.plane, eye), atSecond = ofSecond * dot(b.plane, eye);
   const float less = atFirst < atSecond ? atFirst : atSecond;
-  const float pixels = less / (absolute(atFirst - atSecond) * kMeetingReach);
+  const float pixels = less / (std::fabs(atFirst - atSecond) * kMeetingReach);
   const float noise = a.point.rounding < b.point.rounding ? b.point.rounding : a.point.rounding;
   const float pixel = a.point.pixel < b.point.pixel ? b.point.pixel : a.point.pixel;
   const float off = more / (noise + kMeetingDepth * pixel);

@@ -36,9 +36,11 @@ EdgeFinder::EdgeFinder(const OutlinePass& pass)
                                 ImageOutline::kSameNormals);
     settings_.push_back(
         {isOutlined, outline.detector, outline.creases, crease, hasIdBorders(instance)});
+    // Of what has no lines, pixels that it shares with what has some: of several samples.
+    const std::int32_t asksWithoutLines = pass.scene.samples > 1 ? kMayHaveEdge : 0;
     bounds_.asks.push_back(
         !isOutlined
-            ? kMayHaveEdge  // beside what has lines
+            ? asksWithoutLines
             : kMayHaveEdge | kMayCreaseRight | kMayCreaseAbove |
                   (outline.detector == OutlineDetector::kPlane ? 0 : NeighbourBounds::kAlways));
     bounds_.tolerance.push_back(outline.depthTolerance);
