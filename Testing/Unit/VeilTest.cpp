@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Binning/BinClusters.h"
 #include "Rendering/Lines/Panes.h"
+#include "Rendering/Shading/TranslucentFragments.h"
 #include "Testing/Unit/TestScene.h"
 
+#include <cstdint>
 #include <utility>
+#include <vector>
 
 namespace limn {
 namespace {
@@ -285,6 +288,47 @@ TEST(Panes, AreKeptOnlyWhereAHaloMayBe)
                 width > 0 && (tile == 4 || (width == 8 && (tile == 0 || tile == 1 || tile == 5))))
           << tile << ", width " << width;
   }
+}
+
+TEST(Panes, AreNotKeptWhereAllLieBeforeHalosAndNoLineIs)
+{
+  Stage stage = testing::pixelStage(64, 1);
+  const OwnedMesh mesh = plate(0, 64, -1);
+  stage.instances = {pane(mesh, 0.5f)};
+  const Scene scene = stage.scene();
+  const PlacedScene placed = placeScene(scene, stage.width, stage.height);
+  const PlacedInstance& first = placed.instances[0];
+  const TileCluster cluster = {{&first, first.mesh().clusters.data()}, {}};
+  const TileClusters clusters = {&placed, {&cluster, 1}};
+  TranslucentTile tile;
+  tile.clear();
+  const auto add = [&](std::uint32_t pixel, float depth) {
+    *tile.placeEnd() = pixel << TranslucentTile::kSampleBits;
+    *tile.ownerEnd() = 0;
+    *tile.depthEnd() = depth;
+    tile.grow(1);
+  };
+  add(5, 0.2f);
+  add(6, 0.6f);
+  add(40, 0.3f);
+  TranslucentFragments fragments;
+  fragments.collect(clusters, 1, tile, TranslucentFragments::Depths::kKept);
+
+  const auto keptBy = [&](const PaneReach& reach) {
+    TilePanes panes;
+    panes.reach(reach);
+    panes.add(clusters, 1, fragments);
+    std::vector<std::uint32_t> pixels;
+    for (const TilePanes::Pixel& one : panes.pixels())
+      pixels.push_back(one.pixel);
+    return pixels;
+  };
+  using Pixels = std::vector<std::uint32_t>;
+  constexpr TileBlocks kAll = 0xFFFF, kFirst = 1;
+  EXPECT_EQ(keptBy({kAll, 0, 0}), (Pixels{5, 6, 40}));
+  EXPECT_EQ(keptBy({0, kAll, 0.5f}), (Pixels{6}));
+  EXPECT_EQ(keptBy({kFirst, kAll, 0.5f}), (Pixels{5, 6}));
+  EXPECT_EQ(keptBy({0, kAll, 0.25f}), (Pixels{6, 40}));
 }
 
 TEST(Panes, AreKeptOnlyWhereALineMayBe)
