@@ -231,7 +231,7 @@ class ColorOfLevel {
   }
   static HWY_INLINE Lanes4 zero() { return set(Vec4f{0, 0, 0, 0}); }
 
-  HWY_INLINE Lanes4 operator()(const WrappedUv& at, const Level& level) const
+  HWY_NOINLINE Lanes4 operator()(const WrappedUv& at, const Level& level) const
   {
     const VI one = hn::Set(DI(), 1);
     const Between x = between(sampler_.filter, at.u.value, level.width);
@@ -261,7 +261,7 @@ class GradientOfLevel {
   }
   static HWY_INLINE Lanes2 zero() { return set(Vec2f{0, 0}); }
 
-  HWY_INLINE Lanes2 operator()(const WrappedUv& at, const Level& level) const
+  HWY_NOINLINE Lanes2 operator()(const WrappedUv& at, const Level& level) const
   {
     const Between bx = between(sampler_.filter, at.u.value, level.width);
     const Between by = between(sampler_.filter, at.v.value, level.height);
