@@ -251,7 +251,9 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
 bool refitClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
 {
   if (clusters.notFiniteTriangles > 0) return false;
-  clusters.origin = localOrigin(finiteBox(mesh, threads));
+  // With all triangles there or out of range, these are all vertices that triangles use.
+  const Span<const std::uint32_t> used = {clusters.vertex.data(), clusters.vertexCount};
+  clusters.origin = localOrigin(finiteBox(mesh, used, threads));
   if (isFloatAtZero(mesh, clusters.origin))
     dropLowParts(clusters);
   else if (!clusters.hasLowParts())

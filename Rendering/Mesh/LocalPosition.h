@@ -54,8 +54,12 @@ struct FiniteBox : Box {
   bool holdsAll = true;  ///< whether there are no others
 };
 
-/// Box of all finite vertices, used by a triangle or not; on at most `threads` threads (0: all).
+/// Box of the finite vertices of all triangles whose vertices are there: a point that no face uses
+/// must not show. On at most `threads` threads (0: all).
 FiniteBox finiteBox(const MeshView& mesh, int threads = 1);
+
+/// The same of some vertices, named once or more often. Requires: all are there.
+FiniteBox finiteBox(const MeshView& mesh, Span<const std::uint32_t> vertices, int threads);
 
 /// The origin of a mesh's local coordinates: zero, unless the box lies so far out that a float
 /// would lose bits of its features; then the box's centre.

@@ -128,13 +128,26 @@ struct Veiled {
   float rest;  ///< the share of what lies below, mean over the samples
 };
 
+/// Box of the finite corners of all triangles whose corners are there.
+Box boxOfTriangles(const MeshView& mesh)
+{
+  Box box;
+  for (const Triangle& triangle : mesh.triangles) {
+    const auto [a, b, c] = triangle.vertex;
+    if (std::max({a, b, c}) >= mesh.vertexCount()) continue;
+    for (const std::uint32_t v : triangle.vertex)
+      if (const Vec3d p = mesh.position(v); isFinite(p)) box.add(p);
+  }
+  return box;
+}
+
 /// An instance with its transform, and its triangles on the screen.
 class PlacedInstance {
  public:
   PlacedInstance(const Scene& scene, const Instance& instance, const FrameView& frame)
       : instance_(instance)
   {
-    frame_.origin = localOrigin(finiteBox(instance.mesh));
+    frame_.origin = localOrigin(boxOfTriangles(instance.mesh));
     frame_.hasLowParts = false;
     frame_.low = frame_.high = {0, 0, 0};
     Box box;

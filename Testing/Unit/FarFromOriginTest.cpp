@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Features of a thousandth at coordinates of ten million lose nothing.
+#include "Rendering/Mesh/BuildClusters.h"
 #include "Testing/Unit/TestScene.h"
 
 #include <cmath>
@@ -81,6 +82,31 @@ TEST_P(FarFromOrigin, ASlantingCameraLosesNoMoreThanItsOwnMatrix)
     otherColors += far.color[i].g != near.color[i].g;
   }
   EXPECT_LE(otherColors, 40);
+}
+
+TEST_P(FarFromOrigin, APointThatNoFaceUsesChangesNothing)
+{
+  // With it in the box the mesh's own origin would be zero, and floats would lose the shape.
+  const OwnedMesh mesh = smallSphere(kPlace, Kept::kDouble);
+  const Picture picture = stageAt(kPlace, kSlanting, mesh).draw(GetParam());
+  for (const Vec3d point : {Vec3d{0, 0, 0}, Vec3d{1e30, 1e9, -1e9}}) {
+    OwnedMesh more = mesh;
+    more.precise.push_back(point);
+    more.vertexNormals.resize(more.precise.size());
+    finish(more);
+    EXPECT_EQ(stageAt(kPlace, kSlanting, more).draw(GetParam()).differingPixels(picture), 0u);
+    // As are clusters that are moved there.
+    std::vector<Vec3d> before = more.precise;
+    for (Vec3d& p : before)
+      p = (p - kPlace) * 2.0;
+    ClusteredMesh moved;
+    ASSERT_TRUE(buildClusters({{}, before, more.triangles}, 1, moved).ok());
+    ASSERT_TRUE(refitClusters({{}, more.precise, more.triangles}, 2, moved));
+    ClusteredMesh built;
+    ASSERT_TRUE(buildClusters({{}, mesh.precise, mesh.triangles}, 1, built).ok());
+    EXPECT_TRUE(moved.origin == built.origin);
+    EXPECT_FALSE(built.origin == (Vec3d{0, 0, 0}));
+  }
 }
 
 TEST_P(FarFromOrigin, AWideMeshKeepsItsSmallestFeatures)

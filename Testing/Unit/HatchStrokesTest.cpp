@@ -3,6 +3,7 @@
 //
 // Strokes along the principal curvature, and straight ones on flat faces: where they run and how
 // far they are apart.
+#include "Rendering/Lines/CurveBounds.h"
 #include "Testing/Unit/HatchedMesh.h"
 
 namespace limn::testing {
@@ -45,6 +46,29 @@ TEST(HatchStrokes, AreEvenlyApartInEveryDensity)
       const double onTorus = 4 * kPi * kPi * 0.35 / (ring().strokes.spacing / rank);
       EXPECT_NEAR(ring().length(isCross, rank) / onTorus, 1, 0.4) << isCross << ' ' << rank;
     }
+}
+
+TEST(HatchStrokes, DoNotDependOnPointsThatNoFaceUses)
+{
+  // A ball of curved strokes and a cube of straight ones.
+  const Polyhedron meshes[] = {ball().mesh, cube()};
+  for (const Polyhedron& mesh : meshes) {
+    const Hatched plain(mesh);
+    ASSERT_GT(plain.strokes.strokeCount(), 50u);
+    for (const float far : {2.0f, 1e9f}) {
+      Polyhedron more = mesh;
+      more.positions.push_back({far, -far, far});
+      const Hatched hatched(more);
+      EXPECT_EQ(featureSize(more.view()), featureSize(mesh.view()));
+      EXPECT_EQ(hatched.field.flats.ofTriangle, plain.field.flats.ofTriangle);
+      EXPECT_EQ(hatched.strokes.spacing, plain.strokes.spacing);
+      EXPECT_EQ(hatched.strokes.first, plain.strokes.first);
+      EXPECT_EQ(hatched.strokes.vertex, plain.strokes.vertex);
+      ASSERT_EQ(hatched.strokes.points.size(), plain.strokes.points.size());
+      for (std::size_t i = 0; i < plain.strokes.points.size(); ++i)
+        ASSERT_TRUE(hatched.strokes.points[i] == plain.strokes.points[i]);
+    }
+  }
 }
 
 TEST(HatchStrokes, OfSurfacesThatBendAlikeEverywhereAreSmooth)
