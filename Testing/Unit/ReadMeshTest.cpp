@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <cstring>
 #include <functional>
+#include <iterator>
 #include <numeric>
+#include <random>
 
 namespace limn {
 namespace {
@@ -311,6 +313,44 @@ TEST(ReadStl, WeldsVerticesOfBinaryFilesWhateverTheirTitle)
   const MeshFile mesh = readOk("a.stl", binaryStl("solid outer loop", coordinates));
   EXPECT_EQ(polygonsOf(mesh), (Polygons{{0, 1, 2}, {0, 2, 3}}));
   EXPECT_EQ(mesh.droppedFaces, 1u);
+}
+
+// Against a search through all places met so far, on more places than the table starts with.
+TEST(ReadStl, NumbersPlacesAsTheyAreFirstMetInAnyOrderOfFacets)
+{
+  std::mt19937 random(7);
+  const float values[] = {0.0f, -0.0f, 1.0f, -1.0f, 0.5f, 3e5f, 1e-20f};
+  for (const std::size_t facets : {1u, 7u, 300u}) {
+    std::vector<float> coordinates;
+    while (coordinates.size() < 9 * facets)
+      coordinates.push_back(values[random() % std::size(values)]);
+    std::vector<Vec3f> places;
+    Polygons expected;
+    for (std::size_t facet = 0; facet < facets; ++facet) {
+      std::vector<std::uint32_t> corners;
+      for (std::size_t i = 9 * facet; i < 9 * facet + 9; i += 3) {
+        const Vec3f place{coordinates[i], coordinates[i + 1], coordinates[i + 2]};
+        const auto found = std::find(places.begin(), places.end(), place);
+        corners.push_back(static_cast<std::uint32_t>(found - places.begin()));
+        if (found == places.end()) places.push_back(place);
+      }
+      if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0])
+        expected.push_back(corners);
+    }
+    const MeshFile mesh = readOk("a.stl", binaryStl("random", coordinates));
+    EXPECT_EQ(polygonsOf(mesh), expected);
+    EXPECT_EQ(mesh.droppedFaces, facets - expected.size());
+    ASSERT_EQ(mesh.positions.size(), places.size());
+    // Bytes, as the sign of 0 is that of the first one met.
+    EXPECT_EQ(std::memcmp(mesh.positions.data(), places.data(), places.size() * sizeof(Vec3f)), 0);
+  }
+}
+
+TEST(ReadStl, TakesCoordinatesNearerThanTheLeastNormalFloatForEqual)
+{
+  const MeshFile mesh = readOk(
+      "a.stl", binaryStl("tiny", {0, 0, 0, 1, 0, 0, 1, 1, 0, 1e-39f, 0, 0, 1, 1, 0, 0, 1, 0}));
+  EXPECT_EQ(polygonsOf(mesh), (Polygons{{0, 1, 2}, {0, 2, 3}}));
 }
 
 TEST(ReadNonManifold, KeepsAndCountsEveryFace)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/Io/CountNonManifold.h"
 
+#include <hwy/cache_control.h>
+
 namespace limn::meshio {
 namespace {
 
@@ -15,6 +17,11 @@ class EdgeSet {
     slots_.assign(std::size_t{1} << bits_, kEmpty);
   }
 
+  /// To be called some time before the edge is asked for, as slots lie at random.
+  void prefetch(std::uint32_t from, std::uint32_t to) const
+  {
+    hwy::Prefetch(&slots_[firstSlotOf(keyOf(from, to))]);
+  }
   bool contains(std::uint32_t from, std::uint32_t to) const
   {
     return slots_[slotOf(keyOf(from, to))] != kEmpty;
@@ -34,11 +41,15 @@ class EdgeSet {
     return std::uint64_t{from} << 32 | to;
   }
 
+  std::size_t firstSlotOf(std::uint64_t key) const
+  {
+    constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15u;
+    return static_cast<std::size_t>(key * kGoldenRatio >> (64 - bits_));
+  }
   /// Where the key is, or where it belongs.
   std::size_t slotOf(std::uint64_t key) const
   {
-    constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15u;
-    std::size_t slot = static_cast<std::size_t>(key * kGoldenRatio >> (64 - bits_));
+    std::size_t slot = firstSlotOf(key);
     while (slots_[slot] != kEmpty && slots_[slot] != key)
       slot = (slot + 1) & (slots_.size() - 1);
     return slot;
@@ -68,9 +79,15 @@ bool forEachEdge(const RawMesh& mesh, std::size_t face, Visit&& visit)
 
 std::size_t countNonManifoldFaces(const RawMesh& mesh)
 {
+  constexpr std::size_t kAhead = 8;
   EdgeSet edges(mesh.corners.size());
   std::size_t count = 0;
   for (std::size_t face = 0; face < mesh.faceCount(); ++face) {
+    if (face + kAhead < mesh.faceCount())
+      forEachEdge(mesh, face + kAhead, [&edges](std::uint32_t from, std::uint32_t to) {
+        edges.prefetch(from, to);
+        return true;
+      });
     const bool fits = forEachEdge(mesh, face, [&edges](std::uint32_t from, std::uint32_t to) {
       return !edges.contains(from, to);
     });

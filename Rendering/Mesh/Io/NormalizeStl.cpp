@@ -5,11 +5,14 @@
 #include "Rendering/Mesh/Io/PlyForm.h"
 #include "Rendering/Mesh/Io/TextLines.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <limits>
 #include <utility>
+#include <vector>
 
 namespace limn::meshio {
 namespace {
@@ -50,8 +53,120 @@ bool startsWithSolid(const std::string& bytes)
   return lowered(std::string_view(bytes).substr(begin, 5)) == "solid";
 }
 
+Vec3f cornerAt(const std::string& bytes, std::size_t facet, std::size_t corner)
+{
+  const std::size_t byte = kHeaderSize + facet * kFacetSize + kNormalSize + 12 * corner;
+  return {floatAt(bytes, byte), floatAt(bytes, byte + 4), floatAt(bytes, byte + 8)};
+}
+
+/// Numbers places in the order in which they are first met. Open addressing; at most half full, so
+/// that probes stay short.
+class PlaceTable {
+ public:
+  explicit PlaceTable(std::size_t places)
+  {
+    while ((std::size_t{1} << bits_) < 2 * places)
+      ++bits_;
+    slots_.resize(std::size_t{1} << bits_);
+  }
+
+  /// To be called for a place some time before its number is asked for: facets in random order
+  /// would else wait for memory at each corner.
+  void prefetch(Vec3f place) const { hwy::Prefetch(&slots_[firstSlotOf(place)]); }
+
+  /// The next number for a place not met before; appends it to `places` then.
+  std::uint32_t numberOf(Vec3f place, std::vector<Vec3f>& places)
+  {
+    Slot& slot = slots_[slotOf(place)];
+    if (slot.number != kFree) return slot.number;
+    const std::uint32_t number = static_cast<std::uint32_t>(places.size());
+    slot = {place, number};
+    places.push_back(place);
+    if (2 * places.size() > slots_.size()) grow();
+    return number;
+  }
+
+ private:
+  static constexpr std::uint32_t kFree = std::numeric_limits<std::uint32_t>::max();
+  struct Slot {
+    Vec3f place{};
+    std::uint32_t number = kFree;
+  };
+
+  std::size_t firstSlotOf(Vec3f place) const
+  {
+    constexpr std::uint64_t kGoldenRatio = 0x9e3779b97f4a7c15u;
+    std::uint64_t hash = 0;
+    for (const float value : {place.x, place.y, place.z}) {
+      // Adding 0 makes 0 of -0, which is equal.
+      const float positive = value + 0.0f;
+      std::uint32_t bits = 0;
+      std::memcpy(&bits, &positive, sizeof bits);
+      hash = (hash ^ bits) * kGoldenRatio;
+      hash ^= hash >> 32;
+    }
+    return static_cast<std::size_t>(hash * kGoldenRatio >> (64 - bits_));
+  }
+  /// Where the place is, or where it belongs.
+  std::size_t slotOf(Vec3f place) const
+  {
+    std::size_t slot = firstSlotOf(place);
+    while (slots_[slot].number != kFree && !(slots_[slot].place == place))
+      slot = (slot + 1) & (slots_.size() - 1);
+    return slot;
+  }
+  void grow()
+  {
+    ++bits_;
+    std::vector<Slot> old(std::size_t{1} << bits_);
+    old.swap(slots_);
+    for (const Slot& slot : old)
+      if (slot.number != kFree) slots_[slotOf(slot.place)] = slot;
+  }
+
+  unsigned bits_ = 4;
+  std::vector<Slot> slots_;
+};
+
+/// Whether OpenMesh's parser for STL may take different coordinates for equal: it does where they
+/// are no more than the least normal float apart.
+bool hasTinyCoordinates(const std::string& bytes, std::size_t facets)
+{
+  const auto isTiny = [](float value) { return value != 0 && std::fabs(value) < 0x1p-100f; };
+  for (std::size_t facet = 0; facet < facets; ++facet)
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Vec3f p = cornerAt(bytes, facet, corner);
+      if (isTiny(p.x) || isTiny(p.y) || isTiny(p.z)) return true;
+    }
+  return false;
+}
+
+/// Welds the facets' corners as OpenMesh's parser for STL does, which searches a tree for each of
+/// them: with facets in random order that takes most of the time of reading.
+NormalForm weldedForm(const std::string& bytes, std::size_t facets)
+{
+  constexpr std::size_t kAhead = 8;
+  PlaceTable table(facets / 2);
+  std::vector<Vec3f> places;
+  std::vector<std::uint32_t> corners;
+  corners.reserve(3 * facets);
+  for (std::size_t facet = 0; facet < facets; ++facet) {
+    for (std::size_t corner = 0; corner < 3 && facet + kAhead < facets; ++corner)
+      table.prefetch(cornerAt(bytes, facet + kAhead, corner));
+    for (std::size_t corner = 0; corner < 3; ++corner)
+      corners.push_back(table.numberOf(cornerAt(bytes, facet, corner), places));
+  }
+  PlyForm form({});
+  for (const Vec3f& place : places)
+    form.addVertex({vec3Cast<double>(place)});
+  for (std::size_t facet = 0; facet < facets; ++facet)
+    form.addFace({corners.data() + 3 * facet, 3}, {});
+  return form.finish();
+}
+
 NormalForm stlForm(std::string bytes, std::size_t facets)
 {
+  if (!hasTinyCoordinates(bytes, facets)) return weldedForm(bytes, facets);
   NormalForm form;
   form.parser = Parser::kStl;
   form.bytes = std::move(bytes);
