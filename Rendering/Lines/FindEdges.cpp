@@ -14,11 +14,6 @@
 namespace limn {
 namespace {
 
-float absolute(float x)
-{
-  return x < 0.0f ? -x : x;
-}
-
 float larger(float a, float b)
 {
   return a < b ? b : a;
@@ -108,12 +103,13 @@ bool EdgeFinder::isConvolved(const Pixel& first, const Pixel& second) const
     const float perPixel = x != 0.0f && y != 0.0f ? 0.707106781f : 1.0f;
     const auto slope = [&](const Pixel& pixel) {
       const Vec2f gradient = sobel(pixel);
-      return absolute((gradient.x * x + gradient.y * y) * perPixel);
+      return std::fabs((gradient.x * x + gradient.y * y) * perPixel);
     };
     return slope(first) > bound && slope(second) > bound;
   }
   const float la = laplacian(first), lb = laplacian(second);
-  return ((la > 0.0f && lb < 0.0f) || (la < 0.0f && lb > 0.0f)) && absolute(la - lb) > bound * 2.0f;
+  return ((la > 0.0f && lb < 0.0f) || (la < 0.0f && lb > 0.0f)) &&
+         std::fabs(la - lb) > bound * 2.0f;
 }
 
 /// Of two pixels of one instance.
@@ -164,7 +160,7 @@ bool EdgeFinder::isBefore(const Pixel& first, const Pixel& second) const
   const SurfacePatch &la = first.layer, &lb = second.layer;
   const bool isByDepth = ia == ib && settings_[ia].detector != OutlineDetector::kPlane;
   const PlaneDistances distances(la, lb);
-  const float ofFirst = absolute(distances.ofFirst), ofSecond = absolute(distances.ofSecond);
+  const float ofFirst = std::fabs(distances.ofFirst), ofSecond = std::fabs(distances.ofSecond);
   const float off = larger(ofFirst, ofSecond);
   const bool isNoise = off <= larger(la.point.rounding, lb.point.rounding);
   const bool isFirstBehind = !(distances.ofFirst > 0.0f),
@@ -278,7 +274,7 @@ float EdgeFinder::shiftOf(const EdgePoint& edge, const Pixel& pixel, const Pixel
   const Vec2f way = cutPlace(pixel, beyond) - edge.foot;
   const float off = edge.normal.x * way.x + edge.normal.y * way.y, most = 1.0f / samples_;
   const float bounded = off > -most ? (off < most ? off : most) : -most;
-  return bounded * (1.0f - 2.0f * absolute(lean));
+  return bounded * (1.0f - 2.0f * std::fabs(lean));
 }
 
 /// Of a pixel that a border cuts, which may be its surface's, that of what its other samples show,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/IdBorders.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace limn {
@@ -9,11 +10,6 @@ namespace {
 
 constexpr int kBefore = 1;           ///< columns of the window before the pair's first
 constexpr int kLong = 4, kWide = 3;  ///< its size along the way from one to the other, and across
-
-float absolute(float x)
-{
-  return x < 0.0f ? -x : x;
-}
 
 float bounded(float x, float low, float high)
 {
@@ -40,7 +36,7 @@ class Window {
     for (int i = 0; i < kLong; ++i)
       across = across + (share_[i][2] - share_[i][0]);
     // Both are as long at some 45 degrees, where either way of counting is exact.
-    const bool isAlong = absolute(along) >= absolute(across);
+    const bool isAlong = std::fabs(along) >= std::fabs(across);
     if ((isAlong ? along : across) > 0.0f) swapIds();
     return isAlong ? placeAlong() : placeAcross();
   }

@@ -30,11 +30,6 @@ float dot(Vec2f a, Vec2f b)
   return a.x * b.x + a.y * b.y;
 }
 
-float absolute(float x)
-{
-  return x < 0.0f ? -x : x;
-}
-
 }  // namespace
 
 int reachOf(const Style& style)
@@ -155,7 +150,7 @@ bool LineMeasure::isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool 
     const bool isFurther = dot(towards, apart) > kFurther;
     const bool isOn = dot(apart, apart) <= kSpan * kSpan
                           ? isFurther || !isSameWay
-                          : isFurther && isSameWay && absolute(dot(normal, apart)) <= kSameBorder;
+                          : isFurther && isSameWay && std::fabs(dot(normal, apart)) <= kSameBorder;
     if (isOn && dot(near.edge->normal, near.way) > 0.0f &&
         (areAlone || steps_.areJoined(pixel.shown, near.place)))
       return false;
@@ -186,7 +181,7 @@ float LineMeasure::borderShare(const Pixel& pixel)
   const Vec2f normal = nearest->edge->normal, way = nearest->way;
   if (normal == Vec2f{0.0f, 0.0f}) return nearest->edge->index == pixel.index ? pixel.own : 0.0f;
 
-  const auto along = [&](Vec2f to) { return absolute(normal.x * to.y - normal.y * to.x); };
+  const auto along = [&](Vec2f to) { return std::fabs(normal.x * to.y - normal.y * to.x); };
   float distance = std::sqrt(dot(way, way)), part = nearest->edge->part;
   Vec2f across = normal;
   if (along(way) > kBeside) {
@@ -198,7 +193,7 @@ float LineMeasure::borderShare(const Pixel& pixel)
       const EdgePoint& edge = *near.edge;
       const float weight = kSpan - along(near.way);
       if (!(weight > 0.0f) || !(dot(edge.normal, normal) >= kSameWay)) continue;
-      if (!(absolute(dot(normal, edge.foot - nearest->edge->foot)) <= kSameBorder)) continue;
+      if (!(std::fabs(dot(normal, edge.foot - nearest->edge->foot)) <= kSameBorder)) continue;
       if (!areAlone && !steps_.areJoined(pixel.shown, near.place)) continue;
       // The mean of both normals: exact to the second order on a circle.
       sum = sum + weight * (0.5f * (dot(edge.normal, near.way) + dot(normal, near.way)));

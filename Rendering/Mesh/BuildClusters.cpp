@@ -200,6 +200,61 @@ bool areFinite(const MeshView& mesh, const Cluster& cluster, const ClusteredMesh
   return true;
 }
 
+/// Some are named more than once. Those of triangles that are not finite are missing.
+Span<const std::uint32_t> usedVertices(const ClusteredMesh& clusters)
+{
+  return {clusters.vertex.data(), clusters.vertexCount};
+}
+
+/// Fills all but the counts of the mesh, in coordinates relative to `origin`.
+void buildAround(Vec3d origin, const FiniteBox& box, const MeshView& mesh, int threads,
+                 ClusteredMesh& clusters)
+{
+  clusters.origin = origin;
+  SortedTriangles sorted = sortTriangles(mesh, box, origin, threads);
+  clusters.outOfRangeTriangles = sorted.outOfRange;
+  clusters.notFiniteTriangles = sorted.notFinite;
+  std::vector<ClusterRun> runs = divide(sorted.groups, clusters);
+  allocateTriangles(clusters);
+  parallelFor(threads, runs.size(), [&](std::size_t r) { cutRun(mesh, runs[r], clusters); });
+  sorted = {};
+
+  allocateVertices(runs, clusters);
+  if (!isFloatAtZero(mesh, origin)) allocateLowParts(clusters);
+  std::vector<Place> places;
+  Place next = {0, 0};
+  for (const ClusterRun& run : runs) {
+    places.push_back(next);
+    next = {next.cluster + run.clusters.size(), next.vertex + run.vertex.size()};
+  }
+  std::atomic<bool> anyLow = false;
+  parallelFor(threads, runs.size(), [&](std::size_t r) {
+    if (copyRun(mesh, runs[r], places[r], clusters)) anyLow = true;
+    runs[r] = {};
+  });
+  if (!anyLow) dropLowParts(clusters);
+  clusters.builtExtent = uniteBoxes(clusters);
+}
+
+ClusteredMesh emptyOf(const MeshView& mesh)
+{
+  ClusteredMesh clusters;
+  clusters.meshVertexCount = mesh.vertexCount();
+  clusters.meshTriangleCount = mesh.triangles.size();
+  return clusters;
+}
+
+/// Where the coordinates of clusters that are built begin, by the vertices that triangles use.
+Vec3d usedOrigin(const MeshView& mesh, int threads, const ClusteredMesh& clusters)
+{
+  if (clusters.notFiniteTriangles > 0) return localOrigin(finiteBox(mesh, threads));
+  if (!isFloatAtZero(mesh, clusters.origin))
+    return localOrigin(finiteBox(mesh, usedVertices(clusters), threads));
+  return clusters.clusters.empty()
+             ? Vec3d{0, 0, 0}
+             : localOrigin({vec3Cast<double>(clusters.low), vec3Cast<double>(clusters.high)});
+}
+
 }  // namespace
 
 std::size_t ClusteredMesh::bytes() const
@@ -216,44 +271,21 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   if (mesh.vertexCount() >= kLimit || mesh.triangles.size() >= kLimit)
     return {Error::kTooManyPrimitives,
             "The mesh has more than 4294967294 vertices or triangles; cut it into parts."};
-  clusters = {};
-  clusters.meshVertexCount = mesh.vertexCount();
-  clusters.meshTriangleCount = mesh.triangles.size();
-  const FiniteBox box = finiteBox(mesh, threads);
-  clusters.origin = localOrigin(box);
-
-  SortedTriangles sorted = sortTriangles(mesh, box, clusters.origin, threads);
-  clusters.outOfRangeTriangles = sorted.outOfRange;
-  clusters.notFiniteTriangles = sorted.notFinite;
-  std::vector<ClusterRun> runs = divide(sorted.groups, clusters);
-  allocateTriangles(clusters);
-  parallelFor(threads, runs.size(), [&](std::size_t r) { cutRun(mesh, runs[r], clusters); });
-  sorted = {};
-
-  allocateVertices(runs, clusters);
-  if (!isFloatAtZero(mesh, clusters.origin)) allocateLowParts(clusters);
-  std::vector<Place> places;
-  Place next = {0, 0};
-  for (const ClusterRun& run : runs) {
-    places.push_back(next);
-    next = {next.cluster + run.clusters.size(), next.vertex + run.vertex.size()};
-  }
-  std::atomic<bool> anyLow = false;
-  parallelFor(threads, runs.size(), [&](std::size_t r) {
-    if (copyRun(mesh, runs[r], places[r], clusters)) anyLow = true;
-    runs[r] = {};
-  });
-  if (!anyLow) dropLowParts(clusters);
-  clusters.builtExtent = uniteBoxes(clusters);
+  clusters = emptyOf(mesh);
+  const FiniteBox all = finiteBoxOfAll(mesh, threads);
+  buildAround(localOrigin(all), all, mesh, threads, clusters);
+  // Points that no triangle uses are seldom: looking for them first would cost every mesh a pass.
+  if (usedOrigin(mesh, threads, clusters) == clusters.origin) return {};
+  clusters = emptyOf(mesh);
+  const FiniteBox used = finiteBox(mesh, threads);
+  buildAround(localOrigin(used), used, mesh, threads, clusters);
   return {};
 }
 
 bool refitClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
 {
   if (clusters.notFiniteTriangles > 0) return false;
-  // With all triangles there or out of range, these are all vertices that triangles use.
-  const Span<const std::uint32_t> used = {clusters.vertex.data(), clusters.vertexCount};
-  clusters.origin = localOrigin(finiteBox(mesh, used, threads));
+  clusters.origin = localOrigin(finiteBox(mesh, usedVertices(clusters), threads));
   if (isFloatAtZero(mesh, clusters.origin))
     dropLowParts(clusters);
   else if (!clusters.hasLowParts())

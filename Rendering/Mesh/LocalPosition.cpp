@@ -99,6 +99,15 @@ FiniteBox finiteBox(const MeshView& mesh, Span<const std::uint32_t> vertices, in
                      });
 }
 
+FiniteBox finiteBoxOfAll(const MeshView& mesh, int threads)
+{
+  return finiteBoxOf(mesh, mesh.vertexCount(), threads,
+                     [](std::size_t begin, std::size_t end, const auto& visit) {
+                       for (std::size_t v = begin; v < end; ++v)
+                         visit(v);
+                     });
+}
+
 Vec3d localOrigin(const Box& box)
 {
   if (box.empty()) return {0, 0, 0};

@@ -61,6 +61,9 @@ FiniteBox finiteBox(const MeshView& mesh, int threads = 1);
 /// The same of some vertices, named once or more often. Requires: all are there.
 FiniteBox finiteBox(const MeshView& mesh, Span<const std::uint32_t> vertices, int threads);
 
+/// The same of all vertices, used or not, which takes less time.
+FiniteBox finiteBoxOfAll(const MeshView& mesh, int threads);
+
 /// The origin of a mesh's local coordinates: zero, unless the box lies so far out that a float
 /// would lose bits of its features; then the box's centre.
 Vec3d localOrigin(const Box& box);

@@ -6,6 +6,8 @@
 #include "Rendering/Base/Vec.h"
 #include "Rendering/Scene.h"
 
+#include <cmath>
+
 namespace limn {
 
 /// A point of the picture, back in view space.
@@ -29,7 +31,7 @@ class ScreenToView {
     const float inverseW = 1.0f / row(3);
     const Vec3f position = {row(0) * inverseW, row(1) * inverseW, row(2) * inverseW};
     const float perDepth = (m_.m[2][2] - position.z * m_.m[3][2]) * inverseW;
-    return {position, absolute(m_.m[1][1] * inverseW), absolute(perDepth) * kDepthRounding};
+    return {position, std::fabs(m_.m[1][1] * inverseW), std::fabs(perDepth) * kDepthRounding};
   }
 
   /// Depths near 1 are 2^-24 apart, and some such go astray until a sample has its depth.
@@ -38,8 +40,6 @@ class ScreenToView {
   const Mat4f& matrix() const { return m_; }
 
  private:
-  static float absolute(float x) { return x < 0.0f ? -x : x; }
-
   Mat4f m_;
 };
 
