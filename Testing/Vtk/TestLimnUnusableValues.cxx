@@ -177,13 +177,14 @@ void checkOne(const char* message, void (*spoil)(vtkLimnProperty*), int expected
 void checkWords()
 {
   checkOne(
-    "OutlineWidth of its vtkLimnProperty has the value 1e+30; it has to be from 0 to 64.",
+    "Drawn without an outline: OutlineWidth of its vtkLimnProperty is 1e+30 pixels; it has to be "
+    "from 0 to 64.",
     [](vtkLimnProperty* property)
     {
       property->SetOutlineToImage();
       property->SetOutlineWidth(1e30);
     },
-    0);
+    800);
   checkOne(
     "OutlineCreaseAngle of its vtkLimnProperty has the value nan; it has to be from 0 to 180.",
     [](vtkLimnProperty* property)
@@ -249,11 +250,34 @@ void checkWords()
     },
     0);
 }
+
+// Frame after frame; and of an outline that is 64 pixels wide nothing.
+void checkWideOutlines()
+{
+  Stage stage;
+  stage.LookFlat();
+  stage.Mapper->SetInputData(twoSquares());
+  vtkLimnProperty* const property = vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty());
+  property->SetOutlineToImage();
+  property->SetOutlineWidth(64);
+  Messages messages;
+  render(stage.Window);
+  CHECK_EQUAL(messages.GetText(), "");
+  property->SetOutlineWidth(1e9);
+  for (int frame = 0; frame < 3; ++frame)
+  {
+    CHECK_EQUAL(render(stage.Window).CountOtherThan(Black), 800);
+    stage.Renderer->GetActiveCamera()->Modified();
+  }
+  CHECK_EQUAL(messages.Count("OutlineWidth of its vtkLimnProperty is 1e+09 pixels"), 1);
+  CHECK_EQUAL(messages.Count("Drawn without an outline"), 1);
+}
 }
 
 int TestLimnUnusableValues(int, char*[])
 {
   checkAll();
   checkWords();
+  checkWideOutlines();
   return result();
 }

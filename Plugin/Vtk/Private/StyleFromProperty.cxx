@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <sstream>
 
 namespace limn::bridge
 {
@@ -325,7 +326,7 @@ void setIllustration(vtkLimnProperty* property, Style& style)
     style.outlineThreshold =
       style.evenOutline ? 0.0f : static_cast<float>(property->GetOutlineThreshold());
   }
-  if (property->GetOutline() == vtkLimnProperty::OUTLINE_IMAGE)
+  if (property->GetOutline() == vtkLimnProperty::OUTLINE_IMAGE && checkOutlineWidth(property).ok())
   {
     setImageOutline(property, style);
   }
@@ -436,6 +437,20 @@ Style styleOf(vtkProperty* property, const SurfaceMesh& mesh)
     style.reflection = Reflection::kNone;
   }
   return style;
+}
+
+Status checkOutlineWidth(vtkProperty* property)
+{
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  if (!limn || limn->GetOutline() != vtkLimnProperty::OUTLINE_IMAGE ||
+      outlineWidthOf(limn) <= kMaxImageOutlineWidth)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << "OutlineWidth of its vtkLimnProperty is " << limn->GetOutlineWidth()
+       << " pixels; it has to be from 0 to " << kMaxImageOutlineWidth << ".";
+  return { Error::kNotFinite, text.str() };
 }
 
 bool hasHull(vtkProperty* property)

@@ -25,6 +25,9 @@ double pixelsPerUnit(int unit, double pixelsPerInch);
 /// inch.
 double hatchSpacingOf(vtkLimnProperty* property, double pixelsPerInch);
 
+/// Fails if the property asks for an outline by image that is too wide: styleOf() leaves that out.
+Status checkOutlineWidth(vtkProperty* property);
+
 /// Whether the property asks for an inverted hull that can be seen.
 bool hasHull(vtkProperty* property);
 

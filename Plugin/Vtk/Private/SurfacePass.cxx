@@ -152,8 +152,18 @@ void describeCues(const Surface& surface, const LineView& view, Instance& instan
   }
 }
 
+/// Says of outlines that are left out why they are, once for all actors with one cause.
+void complainOfOutline(const Surface& surface, Causes& said)
+{
+  const Status status = checkOutlineWidth(surface.actor->GetProperty());
+  if (!status.ok() && said.insert(status.message).second)
+  {
+    vtkWarningWithObjectMacro(surface.actor, "Drawn without an outline: " << status.message);
+  }
+}
+
 Drawables describeAll(
-  const std::vector<Surface>& surfaces, const LineView& view, SceneLines& sceneLines)
+  const std::vector<Surface>& surfaces, const LineView& view, SceneLines& sceneLines, Causes& said)
 {
   Drawables drawables;
   Hulls hulls;
@@ -172,6 +182,7 @@ Drawables describeAll(
       setHatchSpacing(surface, view, drawables.instances.back());
       describeLines(surface, view, drawables.instances.back(), drawables.lines);
       describeCues(surface, view, drawables.instances.back());
+      complainOfOutline(surface, said);
       drawables.actors.push_back(surface.actor);
       if (Instance hull; describeHull(surface, hull))
       {
@@ -391,7 +402,7 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   view.pixelsPerInch = renderer_->GetRenderWindow()->GetDPI();
   view.threads = EngineState::instance().options.threads;
   view.rays = raysOf(lights, view.camera);
-  Drawables drawables = describeAll(surfaces, view, sceneLines_);
+  Drawables drawables = describeAll(surfaces, view, sceneLines_, said_);
   if (drawables.instances.empty())
   {
     return;

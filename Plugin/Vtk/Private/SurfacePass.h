@@ -16,6 +16,8 @@
 
 #include "vtkType.h"
 
+#include <set>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
@@ -26,6 +28,10 @@ class vtkRenderer;
 
 namespace limn::bridge
 {
+
+/// What a renderer has warned of, in words that name no actor: a hundred actors with one property
+/// get one warning.
+using Causes = std::set<std::string>;
 
 /// The drawing of one renderer's surfaces, from frame to frame.
 ///
@@ -102,6 +108,7 @@ private:
   ViewportEffects effects_;
   bool hasWarnedOfTruncation_ = false;
   OpaqueOnly opaqueOnly_;
+  Causes said_; ///< of what was left out
 
   /// The layer for windows of other backends.
   Array<Rgba8> layerColor_;

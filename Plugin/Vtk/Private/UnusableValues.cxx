@@ -192,14 +192,13 @@ void checkTone(vtkLimnProperty* property, Checker& checker)
 
 void checkOutline(vtkLimnProperty* property, Checker& checker)
 {
-  const bool isByImage = property->GetOutline() == vtkLimnProperty::OUTLINE_IMAGE;
   checker.check("OutlineColor", property->GetOutlineColor(), kNotNegative);
-  checker.check("OutlineWidth", property->GetOutlineWidth(),
-    isByImage ? Range{ 0, kMaxImageOutlineWidth } : kNotNegative);
+  // How wide it may be tells checkOutlineWidth().
+  checker.check("OutlineWidth", property->GetOutlineWidth(), kNotNegative);
   checker.check("OutlineOpacity", property->GetOutlineOpacity(), kShare);
   checker.check("OutlineThreshold", property->GetOutlineThreshold(), kShare);
   checker.check("OutlineCreaseAngle", property->GetOutlineCreaseAngle(), kAngle);
-  if (isByImage)
+  if (property->GetOutline() == vtkLimnProperty::OUTLINE_IMAGE)
   {
     checker.check("OutlineDepthTolerance", property->GetOutlineDepthTolerance(), kNotNegative);
   }
