@@ -112,6 +112,7 @@ void checkOutline(const SceneSettings& scene)
   }
   if (material.outlineWidth)
   {
+    requireAtLeast("--outline-width", *material.outlineWidth, kMinOutlinePixels, scene);
     requireAtMost("--outline-width", *material.outlineWidth, kMaxOutlinePixels, scene);
   }
   if (material.outline == Outline::Image && material.opacity < 1)

@@ -124,6 +124,10 @@ void checkLines(const SceneSettings& scene)
   {
     requireAtMost("--stroke-width", *lines.width, kMaxStrokePixels, scene);
   }
+  if (lines.taper)
+  {
+    requireAtMost("--stroke-taper", *lines.taper, kMaxTaperPixels, scene);
+  }
   checkHatchWidth(scene);
   if (lines.dash)
   {

@@ -17,6 +17,16 @@ double pixelsPerInchOf(const SceneSettings& scene)
   return scene.pixelsPerInch.value_or(72);
 }
 
+[[noreturn]] void refuse(const std::string& option, const Length& length,
+  const SceneSettings& scene, const std::string& need)
+{
+  const char* const units[] = { "px", "pt", "mm" };
+  std::ostringstream text;
+  text << option << "=" << length.value << units[length.unit] << " is " << pixelsOf(length, scene)
+       << " pixels at " << pixelsPerInchOf(scene) << " dpi; " << need;
+  throw UserError(text.str());
+}
+
 } // namespace
 
 double pixelsOf(const Length& length, const SceneSettings& scene)
@@ -32,14 +42,22 @@ double pixelsOf(const Length& length, const SceneSettings& scene)
 void requireAtMost(
   const std::string& option, const Length& length, double mostPixels, const SceneSettings& scene)
 {
-  const double pixels = pixelsOf(length, scene);
-  if (pixels > mostPixels)
+  if (pixelsOf(length, scene) > mostPixels)
   {
-    const char* const units[] = { "px", "pt", "mm" };
-    std::ostringstream text;
-    text << option << "=" << length.value << units[length.unit] << " is " << pixels << " pixels at "
-         << pixelsPerInchOf(scene) << " dpi; at most " << mostPixels << " are possible";
-    throw UserError(text.str());
+    std::ostringstream need;
+    need << "at most " << mostPixels << " are possible";
+    refuse(option, length, scene, need.str());
+  }
+}
+
+void requireAtLeast(
+  const std::string& option, const Length& length, double leastPixels, const SceneSettings& scene)
+{
+  if (length.value != 0 && pixelsOf(length, scene) < leastPixels)
+  {
+    std::ostringstream need;
+    need << "at least " << leastPixels << " are needed, or 0";
+    refuse(option, length, scene, need.str());
   }
 }
 

@@ -17,6 +17,9 @@ double pixelsOf(const Length& length, const SceneSettings& scene);
 /// Throws UserError if the length is more than so many pixels.
 void requireAtMost(
   const std::string& option, const Length& length, double mostPixels, const SceneSettings& scene);
+/// Throws UserError if the length is neither 0 nor so many pixels at least.
+void requireAtLeast(
+  const std::string& option, const Length& length, double leastPixels, const SceneSettings& scene);
 
 } // namespace limn::viewer
 

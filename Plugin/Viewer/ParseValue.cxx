@@ -608,17 +608,6 @@ Length parseWidth(const std::string& option, const std::string& text, double mos
   return width;
 }
 
-Length parseLengthFromZero(const std::string& option, const std::string& text)
-{
-  const Length length = parseLength(option, text, "of at least 0");
-  refuseHuge(option, text, text, length.value);
-  if (length.value < 0)
-  {
-    throw UserError(option + "=" + text + " is negative");
-  }
-  return length;
-}
-
 std::array<Length, 2> parseDash(const std::string& option, const std::string& text)
 {
   const std::vector<std::string> parts = split(text, ",");

@@ -58,9 +58,6 @@ Length parseLength(const std::string& option, const std::string& text, const std
 /// A length above 0, pixels up to `mostPixels`.
 Length parseWidth(const std::string& option, const std::string& text, double mostPixels);
 
-/// A length of at least 0.
-Length parseLengthFromZero(const std::string& option, const std::string& text);
-
 /// Two lengths above 0 with a comma between them.
 std::array<Length, 2> parseDash(const std::string& option, const std::string& text);
 

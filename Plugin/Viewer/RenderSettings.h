@@ -234,7 +234,9 @@ struct TextureSettings
 /// Of lines, in pixels.
 inline constexpr double kMaxStrokePixels = 256;
 inline constexpr double kMaxHaloPixels = 64;
+inline constexpr double kMinOutlinePixels = 0.01; ///< but for 0, the usual one
 inline constexpr double kMaxOutlinePixels = 64;
+inline constexpr double kMaxTaperPixels = 16384; ///< as many as a picture is wide at most
 
 /// In the picture.
 struct Length

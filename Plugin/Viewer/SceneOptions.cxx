@@ -59,9 +59,11 @@ double parseWithin(Text option, Text text, double low, double high, const char* 
 
 Length parseOutlineWidth(Text option, Text text)
 {
-  const std::string range = "from 0 to 64 pixels";
+  const std::string range = "from 0.01 to 64 pixels, or 0";
   const Length width = parseLength(option, text, range);
-  if (width.value < 0 || (width.unit == 0 && width.value > kMaxOutlinePixels))
+  const bool isInPixels = width.unit == 0 && width.value != 0;
+  if (width.value < 0 ||
+      (isInPixels && (width.value < kMinOutlinePixels || width.value > kMaxOutlinePixels)))
   {
     throw UserError(option + "=" + text + " is not " + range);
   }
@@ -301,7 +303,8 @@ void addIllustration(OptionList& options, SceneSettings& scene)
     "and creases\nof the picture) (none)",
     choose(material.outline, outlines()));
   options.add("--outline-width", "width",
-    "as 3, 3px, 2pt or 0.7mm; up to 64 pixels (hull 1.5,\nimage 2, normal wider where the surface "
+    "as 3, 3px, 2pt or 0.7mm; 0.01 to 64 pixels (hull 1.5,\nimage 2, normal wider where the "
+    "surface "
     "is flatter)",
     into(material.outlineWidth, parseOutlineWidth));
   options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));
@@ -321,6 +324,17 @@ void addIllustration(OptionList& options, SceneSettings& scene)
   options.addSwitch("--outline-ids",
     "of image: lines between parts of a mesh, too, by the\ncell data that --ids-array names",
     material.outlineIds);
+}
+
+Length parseTaper(Text option, Text text)
+{
+  const std::string range = "from 0 to 16384 pixels";
+  const Length taper = parseLength(option, text, range);
+  if (taper.value < 0 || (taper.unit == 0 && taper.value > kMaxTaperPixels))
+  {
+    throw UserError(option + "=" + text + " is not " + range);
+  }
+  return taper;
 }
 
 std::vector<LineKind> parseLineKinds(Text option, Text text)
@@ -407,7 +421,7 @@ void addLines(OptionList& options, SceneSettings& scene)
   options.add("--stroke-opacity", "a", "0 to 1 (1)", into(lines.opacity, parseShare));
   options.add("--stroke-taper", "length",
     "over which ends of lines grow to their width, as 9,\n9px, 6pt or 2mm (0)",
-    into(lines.taper, parseLengthFromZero));
+    into(lines.taper, parseTaper));
   options.add(
     "--stroke-dash", "dash,gap", "lengths, as 6,3 or 2mm,1mm (none)", into(lines.dash, parseDash));
   options.add(

@@ -270,7 +270,13 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
       "--stroke-width=100mm is 283.465 pixels at 72 dpi; at most 256 are possible" },
     { { "--lines=border", "--stroke-width=72pt", "--dpi=300" },
       "--stroke-width=72pt is 300 pixels at 300 dpi; at most 256 are possible" },
-    { { "--lines=border", "--stroke-taper=-1" }, "--stroke-taper=-1 is negative" },
+    { { "--lines=border", "--stroke-taper=-1" },
+      "--stroke-taper=-1 is not from 0 to 16384 pixels" },
+    { { "--lines=border", "--stroke-taper=1e9" },
+      "--stroke-taper=1e9 is not from 0 to 16384 pixels" },
+    { { "--lines=border", "--stroke-taper=16384" }, "" },
+    { { "--lines=border", "--stroke-taper=1e6mm" },
+      "--stroke-taper=1e+06mm is 2.83465e+06 pixels at 72 dpi; at most 16384 are possible" },
     { { "--lines=border", "--stroke-dash=3,0" },
       "--stroke-dash=3,0: dash and gap have to be above 0" },
     { { "--lines=border", "--stroke-dash=0.1mm,0.1pt", "--dpi=50" },
@@ -279,11 +285,18 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
       "--stroke-dash=3mm is not two lengths with a comma between them, as in --stroke-dash=6,3 or "
       "--stroke-dash=2mm,1mm" },
     { { "--lines=border", "--stroke-taper=2cm" },
-      "--stroke-taper=2cm is not a length of at least 0, as in 2, 1.5px, 3pt or 0.5mm" },
+      "--stroke-taper=2cm is not a length from 0 to 16384 pixels, as in 2, 1.5px, 3pt or 0.5mm" },
     { { "--outline=hull", "--outline-width=30mm" },
       "--outline-width=30mm is 85.0394 pixels at 72 dpi; at most 64 are possible" },
+    { { "--outline=hull", "--outline-width=1e-9" },
+      "--outline-width=1e-9 is not from 0.01 to 64 pixels, or 0" },
+    { { "--outline=hull", "--outline-width=1e-9mm" },
+      "--outline-width=1e-09mm is 2.83465e-09 pixels at 72 dpi; at least 0.01 are needed, or 0" },
+    { { "--outline=hull", "--outline-width=0.01" }, "" },
+    { { "--outline=hull", "--outline-width=0" }, "" },
+    { { "--outline=hull", "--outline-width=0mm", "--dpi=300" }, "" },
     { { "--outline=hull", "--outline-width=-1pt" },
-      "--outline-width=-1pt is not from 0 to 64 pixels" },
+      "--outline-width=-1pt is not from 0.01 to 64 pixels, or 0" },
     { { "--lines=border", "--outer-width=300" }, "--outer-width=300 is greater than 256" },
   };
   for (const auto& one : cases)
@@ -707,7 +720,7 @@ TEST(Arguments, ValuesOfImageLinesHaveTheirRanges)
     "--outline=image needs an opaque surface; leave out --opacity, or take --outline=hull or "
     "--lines=contour");
   EXPECT_EQ(renderErrorOf({ image, "--outline-width=65" }),
-    "--outline-width=65 is not from 0 to 64 pixels");
+    "--outline-width=65 is not from 0.01 to 64 pixels, or 0");
   EXPECT_EQ(
     renderErrorOf({ image, "--outline-opacity=1.5" }), "--outline-opacity=1.5 is not from 0 to 1");
   EXPECT_EQ(
@@ -745,7 +758,7 @@ TEST(Arguments, ErrorsSayWhatIsAccepted)
     { "--halo=4PX",
       " is not a length above 0 and up to 64 pixels, as in 2, 1.5px, 3pt or 0.5mm; write 4px" },
     { "--outline-width=wide",
-      " is not a length from 0 to 64 pixels, as in 2, 1.5px, 3pt or 0.5mm" },
+      " is not a length from 0.01 to 64 pixels, or 0, as in 2, 1.5px, 3pt or 0.5mm" },
     { "--tone=GOOCH", " is unknown; write it in small letters: --tone=gooch" },
     { "--light=Point:0,0,0:1,1,1", " is not a light; write its kind in small letters: point" },
     { "--light=HEADLIGHT", " is not a light; write it in small letters: headlight" },
@@ -977,7 +990,7 @@ TEST(Arguments, TonesAndOutlinesThatWouldNotShowAreRefused)
     { { "--outline-width=2" }, "--outline-width needs --outline=normal, hull or image" },
     { { "--outline-opacity=0.5" }, "--outline-opacity needs --outline=normal, hull or image" },
     { { "--outline=normal", "--outline-width=-1" },
-      "--outline-width=-1 is not from 0 to 64 pixels" },
+      "--outline-width=-1 is not from 0.01 to 64 pixels, or 0" },
     { { "--outline=normal", "--outline-opacity=2" }, "--outline-opacity=2 is not from 0 to 1" },
   };
   for (const auto& one : cases)
