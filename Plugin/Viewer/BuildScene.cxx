@@ -7,6 +7,7 @@
 #include "ColorByArray.h"
 #include "FitCamera.h"
 #include "Lengths.h"
+#include "Messages.h"
 #include "UserError.h"
 
 #include "vtkLimnActor.h"
@@ -568,6 +569,7 @@ void addMeshes(
   for (const Mesh& mesh : meshes)
   {
     vtkNew<vtkLimnPolyDataMapper> mapper;
+    nameFileOf(*mapper, mesh.file);
     mapper->SetInputData(mesh.surface);
     vtkNew<vtkLimnProperty> property;
     applyLook(settings, mesh, pictures, *property);

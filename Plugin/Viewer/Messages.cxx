@@ -12,8 +12,10 @@
 #include <algorithm>
 #include <cctype>
 #include <iostream>
+#include <map>
 #include <regex>
 #include <set>
+#include <sstream>
 #include <vector>
 
 namespace limn::viewer
@@ -21,20 +23,34 @@ namespace limn::viewer
 namespace
 {
 
-/// "ERROR: In file, line 1\nvtkFoo (0x1): the message\n\n" as "the message".
+/// By the addresses that VTK's messages have.
+std::map<std::string, std::string>& filesOfObjects()
+{
+  static std::map<std::string, std::string> files;
+  return files;
+}
+
+/// "ERROR: In file, line 1\nvtkFoo (0x1): the message\n\n" as "the message", after the file of the
+/// object if nameFileOf() has told it.
 std::string messageIn(const char* vtkText)
 {
   static const std::regex source("^(ERROR|Warning|Generic Warning): In [^\n]*\n");
-  static const std::regex object("^[A-Za-z0-9_]+ \\((0x)?[0-9a-fA-F]+\\): ");
+  static const std::regex object("^[A-Za-z0-9_]+ \\(((0x)?[0-9a-fA-F]+)\\): ");
   std::string text = vtkText ? vtkText : "";
   text = std::regex_replace(text, source, "", std::regex_constants::format_first_only);
-  text = std::regex_replace(text, object, "", std::regex_constants::format_first_only);
+  std::string file;
+  if (std::smatch match; std::regex_search(text, match, object))
+  {
+    const auto named = filesOfObjects().find(match[1].str());
+    file = named == filesOfObjects().end() ? "" : named->second;
+    text = match.suffix().str();
+  }
   text.erase(std::find_if(text.rbegin(), text.rend(),
                [](unsigned char letter) { return !std::isspace(letter); })
                .base(),
     text.end());
   std::replace(text.begin(), text.end(), '\n', ' ');
-  return text;
+  return file.empty() || text.find(file) != std::string::npos ? text : file + ": " + text;
 }
 
 /// VTK's pipeline reports each failure of a filter a second time, with addresses.
@@ -113,6 +129,13 @@ void throwCollectedErrors(const std::string& subject)
     }
   }
   throw UserError(errors.back());
+}
+
+void nameFileOf(vtkObject& object, const std::string& file)
+{
+  std::ostringstream address;
+  address << static_cast<void*>(&object);
+  filesOfObjects()[address.str()] = file;
 }
 
 void printWarning(const std::string& message)

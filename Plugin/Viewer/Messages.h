@@ -7,6 +7,8 @@
 
 /// What VTK's classes report, in the form of the command line: one line each on stderr,
 /// "limn: warning: ..." or "limn: error: ...", each distinct line once.
+class vtkObject;
+
 namespace limn::viewer
 {
 
@@ -18,6 +20,9 @@ void collectMessages();
 /// UserError. `subject`, if not empty, stands before each that does not name it: "teapot.vtp: no
 /// such array".
 void throwCollectedErrors(const std::string& subject = {});
+
+/// Puts the file's name before messages of the object that do not name it.
+void nameFileOf(vtkObject& object, const std::string& file);
 
 void printWarning(const std::string& message);
 void printError(const std::string& message);

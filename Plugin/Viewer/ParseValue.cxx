@@ -128,6 +128,12 @@ std::string hintOf(const std::string& text)
 /// Of StrokeUnits, in their order.
 const char* const kUnits[] = { "px", "pt", "mm" };
 
+/// Of a number whose unit is none of a length's, as in 30deg.
+std::string unitHintOf(const std::string& text)
+{
+  return withoutUnit(text).empty() ? "" : "; the units of lengths are px, pt and mm";
+}
+
 /// In pixels, if no unit follows the number.
 std::optional<Length> lengthOfAnySize(const std::string& text)
 {
@@ -584,9 +590,10 @@ Length parseLength(const std::string& option, const std::string& text, const std
   if (!length)
   {
     const std::string mended = inSmallLetters(text);
-    throw UserError(option + "=" + text + " is not a length" + (range.empty() ? "" : " " + range) +
-                    ", as in 2, 1.5px, 3pt or 0.5mm" +
-                    (mended != text && lengthOfAnySize(mended) ? "; write " + mended : ""));
+    throw UserError(
+      option + "=" + text + " is not a length" + (range.empty() ? "" : " " + range) +
+      ", as in 2, 1.5px, 3pt or 0.5mm" +
+      (mended != text && lengthOfAnySize(mended) ? "; write " + mended : unitHintOf(text)));
   }
   if (length->unit != 0)
   {
@@ -619,7 +626,7 @@ std::array<Length, 2> parseDash(const std::string& option, const std::string& te
     {
       throw UserError(option + "=" + text +
                       " is not two lengths with a comma between them, as in " + option +
-                      "=6,3 or " + option + "=2mm,1mm");
+                      "=6,3 or " + option + "=2mm,1mm" + (length ? "" : unitHintOf(parts[i])));
     }
     refuseHuge(option, text, parts[i], length->value);
     lengths[i] = *length;
@@ -631,6 +638,10 @@ std::array<Length, 2> parseDash(const std::string& option, const std::string& te
       throw UserError(option + "=" + text + ": dash and gap have to be above 0");
     }
     refuseTiny(option, text, length.value);
+  }
+  if (lengths[0].unit == 0 && lengths[1].unit == 0 && lengths[0].value + lengths[1].value < 0.5)
+  {
+    throw UserError(option + "=" + text + ": dash and gap have to be half a pixel together");
   }
   return lengths;
 }

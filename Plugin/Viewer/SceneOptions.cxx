@@ -344,6 +344,10 @@ std::vector<LineKind> parseLineKinds(Text option, Text text)
   while (begin <= text.size())
   {
     const std::size_t end = std::min(text.find(',', begin), text.size());
+    if (begin == end && !text.empty())
+    {
+      throw UserError(option + "=" + text + " has a comma without a kind on both sides");
+    }
     const LineKind kind = parseChoice(option, text.substr(begin, end - begin), lineKinds());
     if (std::find(kinds.begin(), kinds.end(), kind) != kinds.end())
     {

@@ -257,10 +257,10 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=border", "--stroke-width=0" }, "--stroke-width=0 is not greater than 0" },
     { { "--lines=border", "--stroke-width=2in" },
       "--stroke-width=2in is not a length above 0 and up to 256 pixels, as in 2, 1.5px, 3pt or "
-      "0.5mm" },
+      "0.5mm; the units of lengths are px, pt and mm" },
     { { "--lines=border", "--stroke-width=3mmm" },
       "--stroke-width=3mmm is not a length above 0 and up to 256 pixels, as in 2, 1.5px, 3pt or "
-      "0.5mm" },
+      "0.5mm; the units of lengths are px, pt and mm" },
     { { "--lines=border", "--stroke-width=1e38mm" },
       "--stroke-width=1e38mm: 1e38mm is not from -1e30 to 1e30, as all numbers have to be" },
     { { "--lines=border", "--stroke-width=300px" },
@@ -280,12 +280,24 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--lines=border", "--stroke-dash=3,0" },
       "--stroke-dash=3,0: dash and gap have to be above 0" },
     { { "--lines=border", "--stroke-dash=0.1mm,0.1pt", "--dpi=50" },
-      "--stroke-dash: dash and gap have to be half a pixel together" },
+      "--stroke-dash=0.1mm,0.1pt is 0.266295 pixels; dash and gap have to be half a pixel "
+      "together" },
+    { { "--lines=border", "--stroke-dash=1e-9,1e-9" },
+      "--stroke-dash=1e-9,1e-9: dash and gap have to be half a pixel together" },
+    { { "--lines=border", "--stroke-dash=6,30deg" },
+      "--stroke-dash=6,30deg is not two lengths with a comma between them, as in "
+      "--stroke-dash=6,3 or --stroke-dash=2mm,1mm; the units of lengths are px, pt and mm" },
+    { { "--lines=border", "--stroke-width=30deg" },
+      "--stroke-width=30deg is not a length above 0 and up to 256 pixels, as in 2, 1.5px, 3pt or "
+      "0.5mm; the units of lengths are px, pt and mm" },
+    { { "--lines=crease," }, "--lines=crease, has a comma without a kind on both sides" },
+    { { "--lines=,crease" }, "--lines=,crease has a comma without a kind on both sides" },
     { { "--lines=border", "--stroke-dash=3mm" },
       "--stroke-dash=3mm is not two lengths with a comma between them, as in --stroke-dash=6,3 or "
       "--stroke-dash=2mm,1mm" },
     { { "--lines=border", "--stroke-taper=2cm" },
-      "--stroke-taper=2cm is not a length from 0 to 16384 pixels, as in 2, 1.5px, 3pt or 0.5mm" },
+      "--stroke-taper=2cm is not a length from 0 to 16384 pixels, as in 2, 1.5px, 3pt or 0.5mm; "
+      "the units of lengths are px, pt and mm" },
     { { "--outline=hull", "--outline-width=30mm" },
       "--outline-width=30mm is 85.0394 pixels at 72 dpi; at most 64 are possible" },
     { { "--outline=hull", "--outline-width=1e-9" },

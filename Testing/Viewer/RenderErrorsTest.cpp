@@ -130,6 +130,20 @@ TEST_F(RenderErrors, FileWithoutFaces)
     { "points.vtk", "no faces" });
 }
 
+TEST_F(RenderErrors, FacesWithoutAnAreaAreOfAFile)
+{
+  const std::string flat = folder_.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  const std::string good = folder_.write("good.obj", kTriangle);
+  const Outcome outcome = runLimn({ "render", good, flat, "--output=" + folder_.file("out.png") });
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("limn: warning: " + flat +
+                             ": Nothing of the input is drawn. None of "
+                             "its faces has an area"),
+    std::string::npos)
+    << outcome.err;
+  EXPECT_EQ(outcome.err.find(good + ":"), std::string::npos) << outcome.err;
+}
+
 TEST_F(RenderErrors, MalformedFiles)
 {
   const std::string noise = "not a mesh at all\n";
