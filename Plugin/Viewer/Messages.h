@@ -5,10 +5,10 @@
 
 #include <string> // for messages
 
-/// What VTK's classes report, in the form of the command line: one line each on stderr,
-/// "limn: warning: ..." or "limn: error: ...", each distinct line once.
 class vtkObject;
 
+/// What VTK's classes report, in the form of the command line: one line each on stderr,
+/// "limn: warning: ..." or "limn: error: ...", each distinct line once.
 namespace limn::viewer
 {
 
