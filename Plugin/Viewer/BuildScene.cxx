@@ -574,6 +574,7 @@ void addMeshes(
     vtkNew<vtkLimnProperty> property;
     applyLook(settings, mesh, pictures, *property);
     vtkNew<vtkLimnActor> actor;
+    nameFileOf(*actor, mesh.file);
     actor->SetMapper(mapper);
     actor->SetProperty(property);
     applyTextures(settings.texture, textures, *actor, *property);

@@ -509,8 +509,8 @@ public:
 
   ///@{
   /**
-   * In pixels, at least 0; for Image at most 64. Default: 0, which means a line by
-   * OutlineThreshold for Normal, 1.5 pixels for Hull and 2 for Image.
+   * In pixels, at least 0; for Image at most 64: a wider one is not drawn, with a warning. Default:
+   * 0, which means a line by OutlineThreshold for Normal, 1.5 pixels for Hull and 2 for Image.
    */
   vtkSetMacro(OutlineWidth, double);
   vtkGetMacro(OutlineWidth, double);

@@ -123,7 +123,7 @@ class RegionFinder {
   RegionFinder(const HatchSurface& surface, int threads)
       : surface_(surface), mesh_(surface.curved.mesh), threads_(threads)
   {
-    const Box box = finiteBox(mesh_);
+    const Box box = finiteBox(mesh_, threads);
     const Vec3d size = box.empty() ? Vec3d{0, 0, 0} : box.high - box.low;
     diagonal_ = std::sqrt(dot(size, size));
     readTriangles();

@@ -314,7 +314,7 @@ class FamilyTracer {
 HatchStrokes traceHatching(const HatchSurface& surface, const HatchField& field, int threads)
 {
   HatchStrokes strokes;
-  const Box box = finiteBox(surface.curved.mesh);
+  const Box box = finiteBox(surface.curved.mesh, threads);
   if (box.empty()) return strokes;
   const Vec3d diagonal = box.high - box.low;
   strokes.spacing = kHatchDensity * std::sqrt(dot(diagonal, diagonal));

@@ -193,10 +193,13 @@ double uniteBoxes(ClusteredMesh& clusters)
   return whole > 0 ? sum / (whole * static_cast<double>(clusters.clusters.size())) : 0;
 }
 
+/// Within a float's range of the clusters' origin, too.
 bool areFinite(const MeshView& mesh, const Cluster& cluster, const ClusteredMesh& clusters)
 {
-  for (std::size_t i = cluster.firstVertex; i < cluster.firstVertex + cluster.vertexCount; ++i)
-    if (!isFinite(mesh.position(clusters.vertex[i]))) return false;
+  for (std::size_t i = cluster.firstVertex; i < cluster.firstVertex + cluster.vertexCount; ++i) {
+    const Vec3d p = mesh.position(clusters.vertex[i]);
+    if (!isFinite(p) || !isFinite(toLocal(p, clusters.origin).high)) return false;
+  }
   return true;
 }
 
@@ -244,15 +247,25 @@ ClusteredMesh emptyOf(const MeshView& mesh)
   return clusters;
 }
 
-/// Where the coordinates of clusters that are built begin, by the vertices that triangles use.
-Vec3d usedOrigin(const MeshView& mesh, int threads, const ClusteredMesh& clusters)
+/// finiteBox() of a mesh with clusters.
+Box usedBox(const MeshView& mesh, int threads, const ClusteredMesh& clusters)
 {
-  if (clusters.notFiniteTriangles > 0) return localOrigin(finiteBox(mesh, threads));
-  if (!isFloatAtZero(mesh, clusters.origin))
-    return localOrigin(finiteBox(mesh, usedVertices(clusters), threads));
-  return clusters.clusters.empty()
-             ? Vec3d{0, 0, 0}
-             : localOrigin({vec3Cast<double>(clusters.low), vec3Cast<double>(clusters.high)});
+  if (clusters.notFiniteTriangles > 0) return finiteBox(mesh, threads);
+  if (!isFloatAtZero(mesh, clusters.origin) || clusters.clusters.empty())
+    return finiteBox(mesh, usedVertices(clusters), threads);
+  return {vec3Cast<double>(clusters.low), vec3Cast<double>(clusters.high)};
+}
+
+/// Whether triangles of `used` sorted by their places in `all` have few bits left to tell them
+/// apart.
+bool isFarWider(const Box& all, const Box& used)
+{
+  constexpr double kFar = 8;
+  const auto extent = [](const Box& box) {
+    const Vec3d size = box.high - box.low;
+    return size.x + size.y + size.z;
+  };
+  return !used.empty() && extent(all) > kFar * extent(used);
 }
 
 }  // namespace
@@ -275,10 +288,11 @@ Status buildClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   const FiniteBox all = finiteBoxOfAll(mesh, threads);
   buildAround(localOrigin(all), all, mesh, threads, clusters);
   // Points that no triangle uses are seldom: looking for them first would cost every mesh a pass.
-  if (usedOrigin(mesh, threads, clusters) == clusters.origin) return {};
+  const Box used = usedBox(mesh, threads, clusters);
+  if (localOrigin(used) == clusters.origin && !isFarWider(all, used)) return {};
   clusters = emptyOf(mesh);
-  const FiniteBox used = finiteBox(mesh, threads);
-  buildAround(localOrigin(used), used, mesh, threads, clusters);
+  const FiniteBox box = finiteBox(mesh, threads);
+  buildAround(localOrigin(box), box, mesh, threads, clusters);
   return {};
 }
 

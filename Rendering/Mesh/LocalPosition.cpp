@@ -15,7 +15,7 @@ namespace {
 // Data nearer than this many box sizes keeps origin zero, so that float data needs no low part.
 constexpr double kFarInBoxSizes = 16.0;
 
-constexpr std::size_t kPerTask = 1 << 18;
+constexpr std::size_t kPerTask = 1 << 15;
 
 /// For each vertex whether a triangle uses it. Relaxed, as all that write an element write the
 /// same.

@@ -183,6 +183,37 @@ TEST(BuildClusters, DoNotDependOnTheThreads)
   }
 }
 
+TEST(BuildClusters, DoNotDependOnTheThreadsWhereSomeVerticesAreNotToBeHad)
+{
+  // Far out, and a triangle that is not finite asks what the others use.
+  Mesh mesh;
+  for (const Vec3f& p : meshOf(torus(400, 300, 1, 0.4)).positions)
+    mesh.precise.push_back(Vec3d{1e6, 2e6, -3e6} + vec3Cast<double>(p));
+  mesh.triangles = meshOf(torus(400, 300, 1, 0.4)).triangles;
+  const ClusteredMesh whole = clustersOf(mesh, 1);
+  mesh.precise.push_back({std::nan(""), 0, 0});
+  mesh.precise.push_back({0, 0, 0});
+  mesh.triangles.push_back({{0, 1, static_cast<std::uint32_t>(mesh.precise.size() - 2)}});
+  for (const int threads : {1, 2, 3, 8}) {
+    const ClusteredMesh many = clustersOf(mesh, threads);
+    EXPECT_TRUE(many.origin == whole.origin);
+    EXPECT_EQ(many.notFiniteTriangles, 1u);
+    EXPECT_EQ(many.triangle, whole.triangle);
+    EXPECT_EQ(many.x, whole.x);
+    EXPECT_EQ(many.xLow, whole.xLow);
+  }
+}
+
+TEST(BuildClusters, AreAsGoodBesideAPointThatNoTriangleUses)
+{
+  Mesh mesh = meshOf(torus(90, 70, 1, 0.4));
+  const ClusteredMesh alone = clustersOf(mesh, 1);
+  mesh.positions.push_back({1e9f, 0, 0});
+  const ClusteredMesh beside = clustersOf(mesh, 1);
+  EXPECT_EQ(beside.triangle, alone.triangle);
+  EXPECT_EQ(beside.builtExtent, alone.builtExtent);
+}
+
 TEST(BuildClusters, LeaveOutAndCountWhatCannotBeDrawn)
 {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
@@ -270,6 +301,15 @@ TEST(RefitClusters, RefuseWhatHasToBeBuilt)
   EXPECT_FALSE(refitClusters(broken.view(), 0, clusters));
   clusters = clustersOf(broken);
   EXPECT_FALSE(refitClusters(mesh.view(), 0, clusters)) << "triangles left out come back";
+
+  Mesh precise = mesh;
+  for (const Vec3f& p : mesh.positions)
+    precise.precise.push_back(vec3Cast<double>(p));
+  precise.positions.clear();
+  clusters = clustersOf(precise);
+  const std::uint32_t second = clusters.vertex[clusters.clusters[0].firstVertex + 1];
+  precise.precise[second].x = 1e39;
+  EXPECT_FALSE(refitClusters(precise.view(), 0, clusters)) << "beyond a float's range";
 
   Mesh shuffled = mesh;
   for (std::size_t v = 0; v < shuffled.positions.size(); ++v)
