@@ -51,10 +51,8 @@ void checkDash(const std::array<Length, 2>& dash, const SceneSettings& scene)
   const double pixels = pixelsOf(dash[0], scene) + pixelsOf(dash[1], scene);
   if (pixels < 0.5)
   {
-    const char* const units[] = { "px", "pt", "mm" };
     std::ostringstream text;
-    text << "--stroke-dash=" << dash[0].value << units[dash[0].unit] << "," << dash[1].value
-         << units[dash[1].unit] << " is " << pixels
+    text << "--stroke-dash=" << textOf(dash[0]) << "," << textOf(dash[1]) << " is " << pixels
          << " pixels; dash and gap have to be half a pixel together";
     throw UserError(text.str());
   }

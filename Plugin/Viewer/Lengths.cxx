@@ -20,14 +20,21 @@ double pixelsPerInchOf(const SceneSettings& scene)
 [[noreturn]] void refuse(const std::string& option, const Length& length,
   const SceneSettings& scene, const std::string& need)
 {
-  const char* const units[] = { "px", "pt", "mm" };
   std::ostringstream text;
-  text << option << "=" << length.value << units[length.unit] << " is " << pixelsOf(length, scene)
-       << " pixels at " << pixelsPerInchOf(scene) << " dpi; " << need;
+  text << option << "=" << textOf(length) << " is " << pixelsOf(length, scene) << " pixels at "
+       << pixelsPerInchOf(scene) << " dpi; " << need;
   throw UserError(text.str());
 }
 
 } // namespace
+
+std::string textOf(const Length& length)
+{
+  const char* const units[] = { "px", "pt", "mm" };
+  std::ostringstream text;
+  text << length.value << units[length.unit];
+  return text.str();
+}
 
 double pixelsOf(const Length& length, const SceneSettings& scene)
 {

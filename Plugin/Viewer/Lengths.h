@@ -14,6 +14,8 @@ struct SceneSettings;
 /// Of a length in the picture.
 double pixelsOf(const Length& length, const SceneSettings& scene);
 
+/// As on the command line, "2mm".
+std::string textOf(const Length& length);
 /// Throws UserError if the length is more than so many pixels.
 void requireAtMost(
   const std::string& option, const Length& length, double mostPixels, const SceneSettings& scene);

@@ -304,8 +304,7 @@ void addIllustration(OptionList& options, SceneSettings& scene)
     choose(material.outline, outlines()));
   options.add("--outline-width", "width",
     "as 3, 3px, 2pt or 0.7mm; 0.01 to 64 pixels (hull 1.5,\nimage 2, normal wider where the "
-    "surface "
-    "is flatter)",
+    "surface is flatter)",
     into(material.outlineWidth, parseOutlineWidth));
   options.add("--outline-color", "r,g,b", "(0,0,0)", into(material.outlineColor, parseColor));
   options.add("--outline-opacity", "a", "0 to 1 (1)", into(material.outlineOpacity, parseShare));
