@@ -13,8 +13,11 @@ namespace {
 /// Up to how many pixels from a surface's own outline its line lies on its side, all of it.
 constexpr float kNearestOutline = 3;
 /// Pixels between those that tell how normals turn, so that their places within their pixels matter
-/// less; nearer ones where the surface is narrower.
+/// less; nearer ones where the surface is narrower, or has a sharp edge.
 constexpr int kApart = 4;
+/// Of 1 - n.n' of such pixels, that of 30 degrees: beyond it another face may begin, whose tilt
+/// says nothing of where this one ends.
+constexpr float kSharpEdge = 0.134f;
 /// Within how many pixels of a pair the planes that they show have to meet, or how many pixels off
 /// each other these may be, for the line to lie on both sides in part.
 constexpr float kMeetingReach = 2, kMeetingDepth = 0.5f;
@@ -109,8 +112,10 @@ float EdgeFinder::fall(const Pixel& pixel, Vec3f eye) const
   const auto riseOn = [&](int dx, int dy) {
     for (int apart = kApart; apart > 0; apart /= 2) {
       const int x = pixel.x + apart * dx, y = pixel.y + apart * dy;
-      if (isInstanceAt(x, y, pixel.instance))
-        return (squaredAt(layers_.indexOf(x, y)) - here) * static_cast<float>(kApart / apart);
+      if (!isInstanceAt(x, y, pixel.instance)) continue;
+      const std::size_t index = layers_.indexOf(x, y);
+      if (1.0f - dot(layers_.normal[pixel.index], layers_.normal[index]) > kSharpEdge) continue;
+      return (squaredAt(index) - here) * static_cast<float>(kApart / apart);
     }
     return 0.0f;
   };

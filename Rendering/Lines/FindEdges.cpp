@@ -203,25 +203,27 @@ float EdgeFinder::shareBeyond(const Pixel& pixel, const Pixel& other) const
 EdgeFinder::Neighbour EdgeFinder::neighbourAt(const Pixel& pixel, int x, int y) const
 {
   if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height)
-    return {1.0f, true, false, false, false, 0.0f, 0.0f};
+    return {1.0f, true, false, false, false, 0.0f, 0.0f, true};
   const Pixel other = pixelAt(x, y);
   if (other.instance == kNobody) {
     const bool isBehind = !(depthAt(x, y) < depthAt(pixel.x, pixel.y));
-    return {isBehind ? 0.0f : 1.0f, true, false, false, false, isBehind ? 1.0f : 0.0f, 0.0f};
+    return {isBehind ? 0.0f : 1.0f, true, false,    false, false,
+            isBehind ? 1.0f : 0.0f, 0.0f, !isBehind};
   }
   if (other.instance != pixel.instance) {
     const float lean = leanOf(pixel, other);
     const float share = lean > -0.5f ? shareBeyond(pixel, other) : 1.0f;
-    return {share, true, true, false, isCutBy(lean), partOf(other, lean), lean};
+    return {share, true, true, false, isCutBy(lean), partOf(other, lean), lean, lean == -0.5f};
   }
   if (!isOutlined(pixel.instance))
-    return {shareShown(other), false, false, false, false, 0.0f, 0.0f};
+    return {shareShown(other), false, false, false, false, 0.0f, 0.0f, false};
   const bool isEdge = isStep(pixel, other);
   // What convolutions find may be within a surface.
   const bool isOther = isByPlanes(pixel) ? isEdge : isPlaneStep(pixel, other);
-  if (!isEdge) return {shareShown(other), isOther, false, false, false, 0.0f, 0.0f};
+  if (!isEdge) return {shareShown(other), isOther, false, false, false, 0.0f, 0.0f, false};
   const bool isNearer = isBefore(pixel, other);
-  return {isNearer ? 0.0f : 1.0f, isOther, false, true, false, isNearer ? 1.0f : 0.0f, 0.0f};
+  return {isNearer ? 0.0f : 1.0f,        isOther, false, true, false, isNearer ? 1.0f : 0.0f, 0.0f,
+          !isNearer && isByPlanes(pixel)};
 }
 
 /// A pixel's neighbours: those at its sides, and then those at its corners.
@@ -343,11 +345,14 @@ void EdgeFinder::addEdges(const Pixel& pixel, EdgeRow& edges, StepGrid& steps) c
   const Vec2f centre = {static_cast<float>(pixel.x) + 0.5f, static_cast<float>(pixel.y) + 0.5f};
   EdgePoint edge = {
       centre,         {0.0f, 0.0f},       pixel.x, static_cast<std::uint32_t>(pixel.index),
-      pixel.instance, {pixel.x, pixel.y}, 1.0f,    true};
+      pixel.instance, {pixel.x, pixel.y}, 1.0f,    true,
+      false};
   for (int i = 0; i < Around::kSides; ++i) {
     const auto [x, y] = around.placeOf(i);
     if (around.at[i].isStep && !isBent(pixel, pixelAt(x, y))) edge.isBent = false;
   }
+  for (const Neighbour& neighbour : around.at)
+    edge.isBesideHidden |= neighbour.isHiding;
   if (length > 0.0f) edge.normal = {-inwards.x / length, -inwards.y / length};
   if (!isPart) {
     if (isOutlined(pixel.instance)) addWhole(around, edge, edges);

@@ -22,7 +22,8 @@ struct EdgePoint {
   std::uint32_t instance;  ///< whose surface it is
   PixelPlace shown;        ///< that pixel, or one next to it that shows the surface
   float part;              ///< of the line's width that is drawn on the surface
-  bool isBent;  ///< where steps part it from pixels beside it, normals differ as at creases
+  bool isBent;          ///< where steps part it from pixels beside it, normals differ as at creases
+  bool isBesideHidden;  ///< next to its pixel something hides where the surface may go on
 };
 /// Of one row of pixels, by columns; a pixel may have several.
 struct EdgeRow {
@@ -101,6 +102,7 @@ class EdgeFinder {
     float part;  ///< of the line's width on the pixel's side: 0 where its surface goes on, or ends
                  ///< behind another's
     float lean;  ///< of another instance: leanOf()
+    bool isHiding;  ///< the pixel's surface may go on behind it, or out of the frame
   };
   Neighbour neighbourAt(const Pixel& pixel, int x, int y) const;
   float shareBeyond(const Pixel& pixel, const Pixel& other) const;

@@ -9,6 +9,7 @@
 #include "Rendering/Lines/JoinCrossings.h"
 #include "Rendering/Lines/MeasureLines.h"
 #include "Rendering/Lines/PaintLayer.h"
+#include "Rendering/Lines/StraightenEnds.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -144,6 +145,8 @@ void drawImageOutlines(const OutlinePass& pass)
   dropSpecks(layers, crossings, edges, steps);
   dropShortCreases(layers, edges, crossings);
   forEachBand(pass, [&](int first, int end) {
+    for (int y = first; y < end; ++y)
+      straightenEnds(layers, steps, y, edges);
     const int from = first == pass.touched.y0 ? std::max(first - 1, 0) : first;
     for (int y = from; y < std::min(end, layers.height - 1); ++y)
       joinCrossings(pass, crossings[static_cast<std::size_t>(y)],

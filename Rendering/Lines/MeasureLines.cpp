@@ -158,6 +158,23 @@ bool LineMeasure::isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool 
   return true;
 }
 
+/// Whether beyond the end of a border another surface is seen, or none as beside the frame, and
+/// also where the border would pass the pixel: then it goes on behind that. One that comes to its
+/// end has its own surface on both sides there.
+bool LineMeasure::isHiddenBeyond(const Pixel& pixel, const NearEdge& nearest) const
+{
+  const Vec2f normal = nearest.edge->normal;
+  Vec2f towards = {-normal.y, normal.x};
+  if (dot(towards, nearest.way) > 0.0f) towards = towards * -1.0f;
+  const auto isOther = [&](Vec2f place) {
+    const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
+    return x < 0 || y < 0 || x >= layers_.width || y >= layers_.height ||
+           !steps_.areJoined(pixel.shown, {x, y});
+  };
+  return isOther(nearest.edge->foot + (towards * kBeside + normal * 0.5f)) &&
+         isOther(pixel.centre + normal * dot(normal, nearest.way));
+}
+
 /// Of a round end in the middle of the line.
 float LineMeasure::capShare(const Pixel& pixel, const NearEdge& nearest) const
 {
@@ -185,8 +202,12 @@ float LineMeasure::borderShare(const Pixel& pixel)
   float distance = std::sqrt(dot(way, way)), part = nearest->edge->part;
   Vec2f across = normal;
   if (along(way) > kBeside) {
-    if (isBeyondEnd(pixel, *nearest, areAlone)) return capShare(pixel, *nearest);
-    across = way * (1.0f / distance);
+    if (!isBeyondEnd(pixel, *nearest, areAlone))
+      across = way * (1.0f / distance);
+    else if (isHiddenBeyond(pixel, *nearest))
+      distance = dot(normal, way);
+    else
+      return capShare(pixel, *nearest);
   } else {
     float sum = 0.0f, parts = 0.0f, weights = 0.0f;
     for (const NearEdge& near : near_) {

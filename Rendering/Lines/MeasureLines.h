@@ -77,6 +77,7 @@ class LineMeasure {
   /// Of near_, of those that are joined with the pixel.
   const NearEdge* nearestJoined(const Pixel& pixel) const;
   bool isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool areAlone) const;
+  bool isHiddenBeyond(const Pixel& pixel, const NearEdge& nearest) const;
   float capShare(const Pixel& pixel, const NearEdge& nearest) const;
   std::optional<NearCrease> nearestCrease(const Pixel& pixel, bool isJoined) const;
   bool areJoined(const Pixel& pixel, const CreaseSegment& segment) const;

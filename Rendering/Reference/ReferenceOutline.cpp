@@ -22,10 +22,11 @@ constexpr Pixel kAround[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, 
 /// Part of a border, and which way is out.
 struct Edge {
   Vec2f foot, normal;
-  Pixel at;          ///< that it runs through, or beside
-  std::uint32_t of;  ///< the instance whose surface is bounded
-  Pixel shown;       ///< shows that surface
-  float part;        ///< of its line's width that lies inside; the rest is the other surface's
+  Pixel at;             ///< that it runs through, or beside
+  std::uint32_t of;     ///< the instance whose surface is bounded
+  Pixel shown;          ///< shows that surface
+  float part;           ///< of its line's width that lies inside; the rest is the other surface's
+  bool isBesideHidden;  ///< beside its pixel the surface may go on behind another, or the frame
 };
 
 struct Segment {
@@ -84,6 +85,7 @@ class Outlines {
         findAt({x, y});
     dropSpecks();
     dropShortCreases();
+    straightenEnds();
     for (int y = 0; y + 1 < frame.height; ++y)
       for (int x = 0; x < frame.width; ++x)
         joinAt({x, y});
@@ -307,7 +309,7 @@ class Outlines {
   /// The square of the normal's cosine is 1 - (r/R)^2 on a sphere, r from the outline's middle. The
   /// length of its gradient over it, upwards: one over how many pixels there are to the outline.
   /// By what is seen four pixels away, as normals are found anywhere in their pixels, or by two or
-  /// one where it is not.
+  /// one where it is not or is turned by more than 30 degrees, as beyond a sharp edge.
   float inverseDistanceOfOutline(Pixel p, Vec3f eye) const
   {
     const auto squared = [&](Pixel q) {
@@ -318,8 +320,9 @@ class Outlines {
     const auto rise = [&](int dx, int dy) {
       for (const int n : {4, 2, 1}) {
         const Pixel q = {p.x + n * dx, p.y + n * dy};
-        if (isInside(q) && layer(q).instance == layer(p).instance)
-          return (squared(q) - here) * static_cast<float>(4 / n);
+        if (!isInside(q) || layer(q).instance != layer(p).instance) continue;
+        const bool isSharp = 1.0f - dot(layer(p).normal, layer(q).normal) > 0.134f;
+        if (!isSharp) return (squared(q) - here) * static_cast<float>(4 / n);
       }
       return 0.0f;
     };
@@ -350,19 +353,24 @@ class Outlines {
     float share;  ///< coverage()
     float part;   ///< of the line between them that is the pixel's
     bool isCut;
-    float theirs;  ///< that of what is there, if that is another instance
+    float theirs;   ///< that of what is there, if that is another instance
+    bool isHiding;  ///< the pixel's surface may go on behind what is there, or outside the frame
   };
   Neighbour neighbour(Pixel p, Pixel q) const
   {
     const float share = coverage(p, q);
-    if (!isInside(q)) return {q, share, 0, false, 0};
-    if (layer(q).instance == kNobody) return {q, share, share > 0 ? 0.0f : 1.0f, false, 0};
+    if (!isInside(q)) return {q, share, 0, false, 0, true};
+    if (layer(q).instance == kNobody)
+      return {q, share, share > 0 ? 0.0f : 1.0f, false, 0, share > 0};
     if (layer(q).instance == layer(p).instance) {
-      const bool ends = isOutlined(layer(p).instance) && isEdge(p, q) && ownsEdge(p, q);
-      return {q, share, ends ? 1.0f : 0.0f, false, 0};
+      const bool isPart = isOutlined(layer(p).instance) && isEdge(p, q);
+      const bool ends = isPart && ownsEdge(p, q);
+      const bool isByPlanes = styleAt(p).imageOutline.detector == OutlineDetector::kPlane;
+      return {q, share, ends ? 1.0f : 0.0f, false, 0, isPart && !ends && isByPlanes};
     }
     const float lean = leanTowards(p, q);
-    return {q, share, partBefore(q, lean), isCut(lean), partBefore(p, leanTowards(q, p))};
+    const float theirs = partBefore(p, leanTowards(q, p));
+    return {q, share, partBefore(q, lean), isCut(lean), theirs, lean == -0.5f};
   }
 
   void findEdges(Pixel p)
@@ -380,7 +388,9 @@ class Outlines {
     const Vec2f in = {root2 * (c[1][2] - c[1][0]) + ((c[2][2] + c[0][2]) - (c[2][0] + c[0][0])),
                       root2 * (c[2][1] - c[0][1]) + ((c[2][2] + c[2][0]) - (c[0][2] + c[0][0]))};
     const float length = std::sqrt(dot2(in, in));
-    Edge edge = {centre(p), {0, 0}, p, layer(p).instance, p, 1};
+    const bool isBesideHidden =
+        std::any_of(around.begin(), around.end(), [](const Neighbour& q) { return q.isHiding; });
+    Edge edge = {centre(p), {0, 0}, p, layer(p).instance, p, 1, isBesideHidden};
     if (length > 0) edge.normal = {-in.x / length, -in.y / length};
     if (own(p) == 1)
       findEdgesOfWhole(p, edge, around);
@@ -407,7 +417,8 @@ class Outlines {
     }
     for (const Neighbour& q : beside)
       if (q.isCut && !(q.share > 0) && q.part > 0)
-        edges_[index(p)].push_back({cutPlace(p, q.at), edge.normal, p, edge.of, p, q.part});
+        edges_[index(p)].push_back(
+            {cutPlace(p, q.at), edge.normal, p, edge.of, p, q.part, edge.isBesideHidden});
   }
   /// A border runs through the pixel; where surfaces cut each other it is that of both.
   void findEdgesOfPart(Pixel p, Edge edge, const std::vector<Neighbour>& around)
@@ -435,8 +446,8 @@ class Outlines {
     }
     if (isOutlined(edge.of) && edge.part > 0) edges_[index(p)].push_back(edge);
     if (!hasWay || theirs.empty() || !isOutlined(l.other) || !(meanOf(theirs) > 0)) return;
-    edges_[index(p)].push_back(
-        {edge.foot, edge.normal * -1.0f, p, l.other, beyond.front().at, meanOf(theirs)});
+    edges_[index(p)].push_back({edge.foot, edge.normal * -1.0f, p, l.other, beyond.front().at,
+                                meanOf(theirs), edge.isBesideHidden});
   }
   /// Along the normal of an edge that samples tell to one of them, to where the planes meet that p
   /// and q show; less where these cut each other less.
@@ -446,6 +457,39 @@ class Outlines {
     const float off = dot2(edge.normal, cutPlace(p, q) - edge.foot);
     const float bounded = off > -one ? std::min(off, one) : -one;
     return bounded * (1.0f - 2.0f * std::fabs(leanTowards(p, q)));
+  }
+  /// Straightens borders where they come to what hides them, or to the frame, which turns them: as
+  /// the others within six pixels lie in the mean, the farther the more.
+  void straightenEnds()
+  {
+    for (int y = 0; y < frame_.height; ++y)
+      for (int x = 0; x < frame_.width; ++x)
+        for (Edge& edge : edges_[index({x, y})])
+          if (edge.isBesideHidden) straighten(edge);
+  }
+  void straighten(Edge& end) const
+  {
+    Vec2f normals = {0, 0}, ways = {0, 0};
+    float sum = 0;
+    for (int y = end.at.y - 6; y <= end.at.y + 6; ++y)
+      for (int x = end.at.x - 6; x <= end.at.x + 6; ++x) {
+        if (!isInside({x, y})) continue;
+        for (const Edge& edge : edges_[index({x, y})]) {
+          if (edge.isBesideHidden || edge.of != end.of) continue;
+          const Vec2f way = edge.foot - end.foot;
+          const bool isOfBorder =
+              dot2(edge.normal, end.normal) >= 0.7f && std::fabs(dot2(edge.normal, way)) <= 1;
+          if (!isOfBorder || !showSame(end.shown, edge.shown)) continue;
+          const float far = std::sqrt(dot2(way, way));
+          normals = normals + edge.normal * far;
+          ways = ways + way * far;
+          sum += far;
+        }
+      }
+    const float length = std::sqrt(dot2(normals, normals));
+    if (!(length > 0)) return;
+    end.normal = normals * (1.0f / length);
+    end.foot = end.foot + end.normal * (dot2(end.normal, ways) / sum);
   }
   static float meanOf(const std::vector<float>& values)
   {
@@ -877,6 +921,18 @@ class Outlines {
         return isFurther && !turns && std::fabs(dot2(n, apart)) <= 1;
       });
       if (!goesOn && isByPlanes) {
+        const auto shows = [&](Vec2f place) {
+          const Pixel q = {static_cast<int>(std::floor(place.x)),
+                           static_cast<int>(std::floor(place.y))};
+          return isInside(q) && showSame(target.shown, q);
+        };
+        // Where the surface is seen neither beyond the end nor where the border would pass the
+        // target, it goes on behind what hides it.
+        const float straight = dot2(n, to);
+        if (!shows(nearest->foot + (t * side * 1.5f + n * 0.5f)) &&
+            !shows(centre(p) + n * straight))
+          return std::max(0.0f,
+                          target.own - areaBelow(n, straight - widthAt(target) * nearest->part));
         const float radius = widthAt(target) * nearest->part * 0.5f;
         const Vec2f toEnd = to - n * radius;
         const float far = std::sqrt(dot2(toEnd, toEnd));

@@ -215,6 +215,54 @@ TEST_P(CutOutlines, RunWhereASteepWallStandsOnAFloor)
       }
 }
 
+/// Adds the part of the plane z = a x + b y over a rectangle.
+void addSlope(double a, double b, Vec3d low, Vec3d high, std::vector<Vec3d>& points)
+{
+  for (const Vec3d p : {low, Vec3d{high.x, low.y, 0}, high, low, high, Vec3d{low.x, high.y, 0}})
+    points.push_back({p.x, p.y, a * p.x + b * p.y});
+}
+
+/// A wall cuts a roof, of which it leaves an acute piece of one side between it and the ridge.
+TEST_P(CutOutlines, StayInTheMiddleWhereASharpEdgeIsNear)
+{
+  constexpr int kSide = 96;
+  for (const int samples : {1, 4})
+    for (const float width : {3.0f, 6.0f})
+      for (const double degrees : {12.0, 20.0}) {
+        // The ridge is the x axis, and the wall cuts its sides along two rays from the origin.
+        const double tangent = std::tan(degrees * kPi / 180);
+        std::vector<Vec3d> sides, plane;
+        addSlope(0, -2, {-100, 0, 0}, {100, 100, 0}, sides);
+        addSlope(0, 0.3, {-100, -100, 0}, {100, 0, 0}, sides);
+        addSlope(-3 * tangent, 1, {-100, -100, 0}, {100, 100, 0}, plane);
+        const OwnedMesh roof = soup(sides), wall = soup(plane);
+        const double slopeOfSide = 3 * tangent / 0.7;
+        Stage stage = flatStage(kSide, samples);
+        stage.view = parallelView({0.3, 0.2, 300}, {0.3, 0.2, 0}, kSide / 2.0, {1, 700});
+        stage.instances = {outlined(roof, width, 1), outlined(wall, width, 2)};
+        for (Instance& instance : stage.instances)
+          instance.style.imageOutline.creaseDegrees = 180;
+        const Picture picture = drawOverWhite(stage, GetParam());
+        for (int y = 10; y < kSide - 10; ++y)
+          for (int x = 10; x < kSide - 10; ++x) {
+            const Vec3d p = {x + 0.5 - kSide / 2.0 + 0.3, y + 0.5 - kSide / 2.0 + 0.2, 0};
+            const auto toRay = [&](double toX, double toY) {
+              const double length = std::hypot(toX, toY);
+              const double along = std::max((p.x * toX + p.y * toY) / length, 0.0);
+              return std::hypot(p.x - along * toX / length, p.y - along * toY / length);
+            };
+            const double distance = std::min(toRay(1, tangent), toRay(-1, -slopeOfSide));
+            if (distance < width / 2 - 1) {
+              EXPECT_LE(at(picture, x, y).g, 20)
+                  << x << ", " << y << " of " << samples << " at " << degrees;
+            } else if (distance > width / 2 + 1 && std::hypot(p.x, p.y) > width + 4) {
+              EXPECT_EQ(at(picture, x, y).g, 255)
+                  << x << ", " << y << " of " << samples << " at " << degrees;
+            }
+          }
+      }
+}
+
 /// A rectangle whose vertices have a normal of their own.
 OwnedMesh rectangle(Vec3d corner, Vec3d a, Vec3d b, Vec3f normal)
 {

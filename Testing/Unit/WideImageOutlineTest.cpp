@@ -166,6 +166,42 @@ TEST_P(WideImageOutlines, RunUpToTheBorderOfWhatLiesBeforeThem)
   }
 }
 
+TEST_P(WideImageOutlines, GoOnBehindWhatHidesThemAndOutOfTheFrame)
+{
+  // A sheet without lines hides a half of the picture, at all angles to the border of another.
+  constexpr int kSide = 64;
+  constexpr double kWidth = 6;
+  for (const int samples : {1, 4})
+    for (const double degrees : {0.0, 13.0, 38.0})
+      for (const double turn : {0.0, 40.0, 50.0, 90.0, 130.0, 140.0}) {
+        const OwnedMesh back = halfPlane(kSide, degrees, 0.3),
+                        front = halfPlane(kSide, degrees + turn, 0.3, 20);
+        Stage stage = deepStage(kSide, samples);
+        stage.view.eye.z = 80;
+        stage.view.far = 120;
+        stage.instances = {outlined(back, kWidth, 1)};
+        if (turn > 0) stage.instances.push_back(painted(front, {1, 1, 1}, 2));
+        const double error = samples == 1 ? 1.9 : 1.4;
+        const Picture picture = drawOverWhite(stage, GetParam());
+        const auto above = [&](double x, double y, double angle) {
+          const double c = std::cos(angle * kPi / 180), s = std::sin(angle * kPi / 180);
+          return (y - kSide / 2.0 - 0.3) * c - (x - kSide / 2.0) * s;
+        };
+        for (int y = 0; y < kSide; ++y)
+          for (int x = 0; x < kSide; ++x) {
+            const double inside = -above(x + 0.5, y + 0.5, degrees);
+            if (turn > 0 && above(x + 0.5, y + 0.5, degrees + turn) < 1) continue;
+            if (inside > error && inside < kWidth - error) {
+              EXPECT_LE(at(picture, x, y).g, 20)
+                  << x << ", " << y << " at " << degrees << " and " << turn << " of " << samples;
+            } else if (inside < -error || inside > kWidth + error) {
+              EXPECT_EQ(at(picture, x, y).g, 255)
+                  << x << ", " << y << " at " << degrees << " and " << turn << " of " << samples;
+            }
+          }
+      }
+}
+
 TEST_P(WideImageOutlines, EndRoundlyWhereAStepFadesOut)
 {
   // A sheet with a tear, from which on the lower part rises: by more than the tolerance of 3 pixels
