@@ -5,7 +5,7 @@
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Lines/Facing.h"
 #include "Rendering/Lines/FindCrossings.h"
-#include "Rendering/Lines/RecentValues.h"
+#include "Rendering/Mesh/RecentValues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,12 +69,12 @@ void fetchEdge(const MeshView& mesh, const MeshEdge& edge)
 {
   for (const std::uint32_t vertex : edge.vertex) {
     if (mesh.positions.empty())
-      hwy::Prefetch(mesh.precisePositions.data() + vertex);
+      prefetch(mesh.precisePositions.data() + vertex);
     else
-      hwy::Prefetch(mesh.positions.data() + vertex);
+      prefetch(mesh.positions.data() + vertex);
   }
   for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
-    hwy::Prefetch(mesh.triangles.data() + edge.corner[f] / 3);
+    prefetch(mesh.triangles.data() + edge.corner[f] / 3);
 }
 
 class ContourFinder {
@@ -126,10 +126,10 @@ class ContourFinder {
   {
     fetchEdge(mesh_, edge);
     for (const std::uint32_t vertex : edge.vertex)
-      hwy::Prefetch(table_.place.data() + vertex);
+      prefetch(table_.place.data() + vertex);
     if (arrays_.normalOfCorner.empty()) return;
     for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
-      hwy::Prefetch(arrays_.normalOfCorner.data() + edge.corner[f]);
+      prefetch(arrays_.normalOfCorner.data() + edge.corner[f]);
   }
 
   void add(const MeshEdge& edge, Fronts& fronts, PendingPoints& pending, EdgeContours& found) const

@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Base/Prefetch.h"
 #include "Rendering/Mesh/EdgeTable.h"
 #include "Rendering/Scene.h"
-
-#include <hwy/cache_control.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -62,7 +61,7 @@ void forEachBoundedEdge(const EdgeTable& table, std::size_t first, std::size_t e
     std::size_t count = 0;
     for (; box < boxes && count < kMost; ++box) {
       if (isLeftOut(box)) continue;
-      forEachOf(box, [&](std::size_t e) { hwy::Prefetch(&table.edges[e]); });
+      forEachOf(box, [&](std::size_t e) { prefetch(&table.edges[e]); });
       kept[count++] = box;
     }
     for (std::size_t i = 0; i < count + kAhead; ++i) {

@@ -3,7 +3,7 @@
 #include "Rendering/Lines/SurfaceCurves.h"
 
 #include "Rendering/Base/ParallelStretches.h"
-#include "Rendering/Lines/RecentValues.h"
+#include "Rendering/Mesh/RecentValues.h"
 #include "Rendering/Mesh/LocalPosition.h"
 
 #include <algorithm>
@@ -121,12 +121,12 @@ class RadialField {
   void fetch(const MeshEdge& edge) const
   {
     for (const std::uint32_t vertex : edge.vertex) {
-      hwy::Prefetch(surface_.normals.data() + vertex);
-      hwy::Prefetch(surface_.curvature.data() + vertex);
+      prefetch(surface_.normals.data() + vertex);
+      prefetch(surface_.curvature.data() + vertex);
       if (surface_.mesh.positions.empty())
-        hwy::Prefetch(surface_.mesh.precisePositions.data() + vertex);
+        prefetch(surface_.mesh.precisePositions.data() + vertex);
       else
-        hwy::Prefetch(surface_.mesh.positions.data() + vertex);
+        prefetch(surface_.mesh.positions.data() + vertex);
     }
   }
 
