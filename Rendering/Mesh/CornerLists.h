@@ -2,11 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Mesh/MeshView.h"
 #include "Rendering/Mesh/SortByVertex.h"
 
-#include <algorithm>
 #include <cstdint>
 
 namespace limn {
@@ -19,22 +17,18 @@ class CornerLists {
   /// Requires: fewer than 2^32 / 3 triangles. The same on any number of threads.
   template <class IsUsed>
   CornerLists(const MeshView& mesh, int threads, const IsUsed& isUsed)
-      : lists_(sortByVertex<std::uint32_t>(mesh.vertexCount(), [&](const auto& visit) {
-          const std::size_t vertices = mesh.vertexCount();
-          parallelForEach(threads, mesh.triangles.size(), kPerTask, [&](std::size_t t) {
-            if (!isUsed(t)) return;
-            for (std::uint32_t k = 0; k < 3; ++k)
-              if (const std::uint32_t v = mesh.triangles[t].vertex[k]; v < vertices)
-                visit(v, static_cast<std::uint32_t>(3 * t) + k);
-          });
-        }))
+      : lists_(sortByVertex<std::uint32_t>(
+            mesh.vertexCount(), mesh.triangles.size(), threads,
+            [&](std::size_t begin, std::size_t end, const auto& visit) {
+              const std::size_t vertices = mesh.vertexCount();
+              for (std::size_t t = begin; t < end; ++t) {
+                if (!isUsed(t)) continue;
+                for (std::uint32_t k = 0; k < 3; ++k)
+                  if (const std::uint32_t v = mesh.triangles[t].vertex[k]; v < vertices)
+                    visit(v, static_cast<std::uint32_t>(3 * t) + k);
+              }
+            }))
   {
-    // Undoes the order in which threads came.
-    parallelForEach(threads, mesh.vertexCount(), kPerTask, [&](std::size_t v) {
-      std::uint32_t* const begin = lists_.items.data() + lists_.first[v];
-      std::uint32_t* const end = lists_.items.data() + lists_.first[v + 1];
-      if (!std::is_sorted(begin, end)) std::sort(begin, end);
-    });
   }
 
   Span<const std::uint32_t> of(std::size_t vertex) const
@@ -44,8 +38,6 @@ class CornerLists {
   }
 
  private:
-  static constexpr std::size_t kPerTask = 8192;
-
   ItemsByVertex<std::uint32_t> lists_;
 };
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Mesh/MeshView.h"
 #include "Rendering/Mesh/SortByVertex.h"
 
@@ -25,17 +24,19 @@ class HalfEdges {
   template <class IsUsed>
   HalfEdges(const MeshView& mesh, Span<const std::uint32_t> place, int threads,
             const IsUsed& isUsed)
-      : sorted_(sortByVertex<HalfEdge>(mesh.vertexCount(), [&](const auto& visit) {
-          parallelForEach(threads, mesh.triangles.size(), kPerTask, [&](std::size_t t) {
-            if (!isUsed(t)) return;
-            const auto& vertex = mesh.triangles[t].vertex;
-            for (std::uint32_t k = 0; k < 3; ++k) {
-              const std::uint32_t a = place[vertex[k]], b = place[vertex[(k + 1) % 3]];
-              visit(std::min(a, b),
-                    HalfEdge{std::max(a, b), static_cast<std::uint32_t>(3 * t) + k});
-            }
-          });
-        }))
+      : sorted_(sortByVertex<HalfEdge>(
+            mesh.vertexCount(), mesh.triangles.size(), threads,
+            [&](std::size_t begin, std::size_t end, const auto& visit) {
+              for (std::size_t t = begin; t < end; ++t) {
+                if (!isUsed(t)) continue;
+                const auto& vertex = mesh.triangles[t].vertex;
+                for (std::uint32_t k = 0; k < 3; ++k) {
+                  const std::uint32_t a = place[vertex[k]], b = place[vertex[(k + 1) % 3]];
+                  visit(std::min(a, b),
+                        HalfEdge{std::max(a, b), static_cast<std::uint32_t>(3 * t) + k});
+                }
+              }
+            }))
   {
   }
 
@@ -44,16 +45,18 @@ class HalfEdges {
   {
     HalfEdge* const begin = sorted_.items.data() + sorted_.first[v];
     HalfEdge* const end = sorted_.items.data() + sorted_.first[v + 1];
-    // Undoes the order in which threads came.
     std::sort(begin, end, [](const HalfEdge& a, const HalfEdge& b) {
       return a.end != b.end ? a.end < b.end : a.corner < b.corner;
     });
     return {begin, static_cast<std::size_t>(end - begin)};
   }
+  /// Those at a place, as they have been sorted.
+  Span<const HalfEdge> of(std::size_t v) const
+  {
+    return {sorted_.items.data() + sorted_.first[v], sorted_.first[v + 1] - sorted_.first[v]};
+  }
 
  private:
-  static constexpr std::size_t kPerTask = 8192;
-
   ItemsByVertex<HalfEdge> sorted_;
 };
 
