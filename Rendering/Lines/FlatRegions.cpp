@@ -176,7 +176,7 @@ class RegionFinder {
   void readEdges()
   {
     neighbour_.assign(3 * mesh_.triangles.size(), kNone);
-    const std::vector<MeshEdge>& edges = surface_.table.edges;
+    const Array<MeshEdge>& edges = surface_.table.edges;
     parallelForEach(threads_, edges.size(), kPerTask, [&](std::size_t e) {
       const MeshEdge& edge = edges[e];
       if (edge.faceCount != 2 || (surface_.kinds[e] & kCreaseEdge) != 0) return;

@@ -2,66 +2,91 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/EdgeTable.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
+#include "Rendering/Mesh/EdgesAhead.h"
 #include "Rendering/Mesh/HalfEdges.h"
+#include "Rendering/Mesh/RecentValues.h"
 #include "Rendering/Mesh/WeldVertices.h"
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace limn {
 namespace {
 
 constexpr std::size_t kVerticesPerTask = 8192;
+constexpr std::size_t kTrianglesPerTask = 8192;
 constexpr std::size_t kEdgesPerTask = 8192;
 
-bool isUsed(const MeshView& mesh, const EdgeTable& table, const Triangle& triangle)
+/// By triangle: whether all its vertices are finite and in places of their own.
+Array<std::uint8_t> usedTriangles(const MeshView& mesh, Span<const std::uint32_t> place,
+                                  int threads)
 {
-  for (const std::uint32_t v : triangle.vertex)
-    if (v >= mesh.vertexCount() || !isFinite(mesh.position(v))) return false;
-  const auto place = [&](int i) { return table.place[triangle.vertex[i]]; };
-  return place(0) != place(1) && place(1) != place(2) && place(2) != place(0);
+  // Of vertices once: triangles in no order find these bytes in the caches.
+  Array<std::uint8_t> isFiniteAt(mesh.vertexCount()), isUsed(mesh.triangles.size());
+  parallelForEach(threads, isFiniteAt.size(), kVerticesPerTask,
+                  [&](std::size_t v) { isFiniteAt[v] = isFinite(mesh.position(v)) ? 1 : 0; });
+  parallelForEach(threads, isUsed.size(), kTrianglesPerTask, [&](std::size_t t) {
+    const auto [a, b, c] = mesh.triangles[t].vertex;
+    const std::size_t count = mesh.vertexCount();
+    const bool counts = a < count && b < count && c < count &&
+                        (isFiniteAt[a] & isFiniteAt[b] & isFiniteAt[c]) != 0 &&
+                        place[a] != place[b] && place[b] != place[c] && place[c] != place[a];
+    isUsed[t] = counts ? 1 : 0;
+  });
+  return isUsed;
 }
 
-/// Appends the edges whose lower place is `v`.
-void addEdges(std::uint32_t v, Span<const HalfEdge> halves, std::vector<MeshEdge>& edges)
+/// Whether a half edge is not of the same edge as the one before it, in the order of HalfEdges.
+bool isFirstOfEdge(Span<const HalfEdge> halves, std::size_t i)
+{
+  return i == 0 || halves[i - 1].end != halves[i].end;
+}
+
+/// Writes the edges whose lower place is `v`; what comes after them.
+MeshEdge* writeEdges(std::uint32_t v, Span<const HalfEdge> halves, MeshEdge* out)
 {
   for (std::size_t i = 0; i < halves.size(); ++i) {
     const HalfEdge& half = halves[i];
-    if (i > 0 && halves[i - 1].end == half.end) {
-      MeshEdge& edge = edges.back();
+    if (isFirstOfEdge(halves, i)) {
+      *out++ = {{v, half.end}, {half.corner, kNoCorner}, 1};
+    } else {
+      MeshEdge& edge = out[-1];
       if (edge.faceCount == 1) edge.corner[1] = half.corner;
       ++edge.faceCount;
-    } else {
-      edges.push_back({{v, half.end}, {half.corner, kNoCorner}, 1});
     }
   }
+  return out;
 }
 
 void findEdges(const MeshView& mesh, int threads, EdgeTable& table)
 {
-  HalfEdges halves(mesh, table.place, threads,
-                   [&](std::size_t t) { return isUsed(mesh, table, mesh.triangles[t]); });
-  std::vector<std::vector<MeshEdge>> found(stretchCount(mesh.vertexCount(), kVerticesPerTask));
-  parallelFor(threads, found.size(), [&](std::size_t task) {
-    const std::size_t end = std::min(mesh.vertexCount(), (task + 1) * kVerticesPerTask);
-    for (std::size_t v = task * kVerticesPerTask; v < end; ++v) {
-      const Span<HalfEdge> at = halves.sorted(v);
-      addEdges(static_cast<std::uint32_t>(v), {at.data(), at.size()}, found[task]);
-    }
-  });
-  std::vector<std::size_t> first;
+  const Array<std::uint8_t> isUsed = usedTriangles(mesh, table.place, threads);
+  HalfEdges halves(mesh, table.place, threads, [&](std::size_t t) { return isUsed[t] != 0; });
+  // By task, first how many edges it has and then where they begin.
+  std::vector<std::size_t> first(stretchCount(mesh.vertexCount(), kVerticesPerTask));
+  parallelForStretches(threads, mesh.vertexCount(), kVerticesPerTask,
+                       [&](std::size_t task, std::size_t begin, std::size_t end) {
+                         std::size_t count = 0;
+                         for (std::size_t v = begin; v < end; ++v) {
+                           const std::size_t size = halves.sorted(v).size();
+                           for (std::size_t i = 0; i < size; ++i)
+                             count += isFirstOfEdge(halves.of(v), i) ? 1 : 0;
+                         }
+                         first[task] = count;
+                       });
   std::size_t count = 0;
-  for (const std::vector<MeshEdge>& some : found) {
-    first.push_back(count);
-    count += some.size();
-  }
+  for (std::size_t& ofTask : first)
+    count += std::exchange(ofTask, count);
   table.edges.resize(count);
-  parallelFor(threads, found.size(), [&](std::size_t task) {
-    std::copy(found[task].begin(), found[task].end(),
-              table.edges.begin() + static_cast<std::ptrdiff_t>(first[task]));
-  });
+  parallelForStretches(threads, mesh.vertexCount(), kVerticesPerTask,
+                       [&](std::size_t task, std::size_t begin, std::size_t end) {
+                         MeshEdge* out = table.edges.data() + first[task];
+                         for (std::size_t v = begin; v < end; ++v)
+                           out = writeEdges(static_cast<std::uint32_t>(v), halves.of(v), out);
+                       });
 }
 
 class KindFinder {
@@ -72,19 +97,49 @@ class KindFinder {
   {
   }
 
-  std::uint8_t kindsOf(const MeshEdge& edge) const
+  /// Of the edges [first, end).
+  void find(std::size_t first, std::size_t end, std::vector<std::uint8_t>& kinds) const
   {
+    RecentAreas areas;
+    const auto forEachUnknown = [&](const MeshEdge& edge, const auto& body) {
+      forEachFace(edge, [&](std::uint32_t corner) {
+        if (!areas.has(corner / 3)) body(mesh_.triangles.data() + corner / 3);
+      });
+    };
+    forEachEdgeAhead(
+        table_, first, end,
+        [&](const MeshEdge& edge) {
+          forEachUnknown(edge, [](const Triangle* triangle) { prefetch(triangle); });
+        },
+        [&](const MeshEdge& edge) {
+          forEachUnknown(edge, [&](const Triangle* triangle) {
+            for (const std::uint32_t v : triangle->vertex)
+              fetchPosition(mesh_, v);
+          });
+        },
+        [&](std::size_t e) { kinds[e] = kindsOf(e, areas); });
+  }
+
+ private:
+  struct Area {
+    Vec3d normal;  ///< as long as twice the area
+    double length;
+  };
+  using RecentAreas = RecentValues<Area>;  ///< by triangle
+
+  std::uint8_t kindsOf(std::size_t e, RecentAreas& areas) const
+  {
+    const MeshEdge& edge = table_.edges[e];
     if (!edge.isShared()) return kBorderEdge;
     unsigned kinds = edge.faceCount > 2 ? kNonManifoldEdge : 0;
     const std::size_t cells[2] = {cellOf(edge.corner[0]), cellOf(edge.corner[1])};
     if (edge.faceCount == 2 && !arrays_.cells.empty() && cells[0] == cells[1]) return 0;
-    if (isCrease(edge)) kinds |= kCreaseEdge;
+    if (isCrease(e, areas)) kinds |= kCreaseEdge;
     if (idOf(cells[0]) != idOf(cells[1])) kinds |= kIdEdge;
     if (splitsNormals(edge)) kinds |= kNormalEdge;
     return static_cast<std::uint8_t>(kinds);
   }
 
- private:
   std::size_t cellOf(std::uint32_t corner) const
   {
     return arrays_.cells.empty() ? corner / 3 : arrays_.cells[corner / 3];
@@ -93,18 +148,23 @@ class KindFinder {
   {
     return cell < arrays_.ids.size() ? arrays_.ids[cell] : 0;
   }
-  Vec3d normalOf(std::uint32_t corner) const
+  Area areaOf(std::uint32_t triangle) const
   {
-    const auto [a, b, c] = mesh_.triangles[corner / 3].vertex;
+    const auto [a, b, c] = mesh_.triangles[triangle].vertex;
     const Vec3d p = mesh_.position(a);
-    return cross(mesh_.position(b) - p, mesh_.position(c) - p);
+    const Vec3d normal = cross(mesh_.position(b) - p, mesh_.position(c) - p);
+    return {normal, std::sqrt(dot(normal, normal))};
   }
-  bool isCrease(const MeshEdge& edge) const
+  bool isCrease(std::size_t e, RecentAreas& areas) const
   {
-    const Vec3d a = normalOf(edge.corner[0]), b = normalOf(edge.corner[1]);
-    const double lengths = std::sqrt(dot(a, a)) * std::sqrt(dot(b, b));
-    const double product = table_.isWoundAlike(mesh_, edge) ? dot(a, b) : -dot(a, b);
-    return product < cosine_ * lengths;  // not without an area
+    const MeshEdge& edge = table_.edges[e];
+    const auto areaAt = [&](std::uint32_t corner) {
+      return areas.at(corner / 3, [this](std::uint32_t triangle) { return areaOf(triangle); });
+    };
+    const Area a = areaAt(edge.corner[0]), b = areaAt(edge.corner[1]);
+    const double cosine = dot(a.normal, b.normal);
+    const double product = table_.woundAlike[e] != 0 ? cosine : -cosine;
+    return product < cosine_ * (a.length * b.length);  // not without an area
   }
 
   Vec3d vertexNormal(std::uint32_t corner) const
@@ -151,12 +211,22 @@ Status buildEdgeTable(const MeshView& mesh, double tolerance, int threads, EdgeT
   table.place = weldVertices(mesh, tolerance, threads);
   findEdges(mesh, threads, table);
   table.woundAlike.assign(table.edges.size(), 0);
-  parallelFor(threads, stretchCount(table.edges.size(), kEdgesPerTask), [&](std::size_t task) {
-    const std::size_t end = std::min(table.edges.size(), (task + 1) * kEdgesPerTask);
-    for (std::size_t e = task * kEdgesPerTask; e < end; ++e)
-      if (table.edges[e].isShared() && table.isWoundAlike(mesh, table.edges[e]))
-        table.woundAlike[e] = 1;
-  });
+  parallelForStretches(threads, table.edges.size(), kEdgesPerTask,
+                       [&](std::size_t, std::size_t begin, std::size_t end) {
+                         forEachEdgeAhead(
+                             table, begin, end,
+                             [&](const MeshEdge& edge) {
+                               forEachFace(edge, [&](std::uint32_t corner) {
+                                 prefetch(mesh.triangles.data() + corner / 3);
+                               });
+                             },
+                             [](const MeshEdge&) {},
+                             [&](std::size_t e) {
+                               const MeshEdge& edge = table.edges[e];
+                               if (edge.isShared() && table.isWoundAlike(mesh, edge))
+                                 table.woundAlike[e] = 1;
+                             });
+                       });
   return {};
 }
 
@@ -165,11 +235,9 @@ std::vector<std::uint8_t> edgeKinds(const MeshView& mesh, const EdgeTable& table
 {
   const KindFinder finder(mesh, table, arrays, creaseDegrees);
   std::vector<std::uint8_t> kinds(table.edges.size());
-  parallelFor(threads, stretchCount(kinds.size(), kEdgesPerTask), [&](std::size_t task) {
-    const std::size_t end = std::min(kinds.size(), (task + 1) * kEdgesPerTask);
-    for (std::size_t e = task * kEdgesPerTask; e < end; ++e)
-      kinds[e] = finder.kindsOf(table.edges[e]);
-  });
+  parallelForStretches(
+      threads, kinds.size(), kEdgesPerTask,
+      [&](std::size_t, std::size_t begin, std::size_t end) { finder.find(begin, end, kinds); });
   return kinds;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Base/Array.h"
 #include "Rendering/Base/Status.h"
 #include "Rendering/Mesh/MeshView.h"
 
@@ -26,7 +27,7 @@ struct MeshEdge {
 /// vertex out of range, not finite, or two corners in one place are left out.
 struct EdgeTable {
   std::vector<std::uint32_t> place;  ///< by vertex: see weldVertices()
-  std::vector<MeshEdge> edges;
+  Array<MeshEdge> edges;
   std::vector<std::uint8_t> woundAlike;  ///< by edge: isWoundAlike() of those that are shared
 
   /// Whether the face sets out from edge.vertex[0]. Faces that are wound alike run along an edge

@@ -383,7 +383,7 @@ Status smoothNormals(const SmoothedSurface& surface, const SmoothScales& scales,
   const Stencil stencil = flow->takeStencil();
   flow.reset();
   // An empty list of initializers would keep the memory.
-  table.edges = std::vector<MeshEdge>();
+  table.edges = Array<MeshEdge>();
   smooth.ratio = ratioOf(scales, count);
   const auto levels = static_cast<std::size_t>(scales.levels);
   std::vector<std::vector<double>> coefficients(levels);
