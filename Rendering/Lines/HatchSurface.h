@@ -21,7 +21,7 @@ struct CutMesh {
   std::vector<Vec3d> precisePositions;
   std::vector<Triangle> triangles;  ///< in the order of the whole mesh
   std::vector<Vec3f> normals;
-  std::vector<VertexCurvature> curvature;
+  Array<VertexCurvature> curvature;
 
   /// Borrows this.
   CurvedSurface surface() const

@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/Array.h"
 #include "Rendering/Base/ParallelStretches.h"
+#include "Rendering/Base/Prefetch.h"
 #include "Rendering/Mesh/CornerLists.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ namespace limn {
 namespace {
 
 constexpr std::size_t kPerTask = 4096;
-/// Of more triangles the planes, 72 bytes each, are computed anew wherever they are needed.
+/// Of more triangles the planes, 96 bytes each, are computed anew wherever they are needed.
 constexpr std::size_t kMostKept = std::size_t{1} << 22;
 
 /// Two unit vectors that span a plane.
@@ -25,10 +26,9 @@ struct Frame {
   Vec3d normal() const { return cross(u, v); }
 };
 
-/// The frame turned the shortest way, so that its normal becomes `normal`.
-Frame turned(const Frame& frame, Vec3d normal)
+/// The frame, of the normal `old`, turned the shortest way, so that its normal becomes `normal`.
+inline Frame turned(const Frame& frame, Vec3d old, Vec3d normal)
 {
-  const Vec3d old = frame.normal();
   const double cosine = dot(old, normal);
   if (cosine <= -1) return {-frame.u, -frame.v};
   // What lies along the part of the new normal in the old plane is turned, the rest stays.
@@ -42,9 +42,9 @@ using Tensor = std::array<double, 3>;
 /// Derivative of a tensor, symmetric in three indices: uuu, uuv, uvv, vvv.
 using TensorSlope = std::array<double, 4>;
 
-Tensor inFrame(const Tensor& t, const Frame& from, const Frame& to)
+/// Of a tensor in the frame `from`; `in` is the other frame, turned into its plane.
+inline Tensor inFrame(const Tensor& t, const Frame& from, const Frame& in)
 {
-  const Frame in = turned(to, from.normal());
   const double u1 = dot(in.u, from.u), v1 = dot(in.u, from.v);
   const double u2 = dot(in.v, from.u), v2 = dot(in.v, from.v);
   return {t[0] * u1 * u1 + t[1] * (2 * u1 * v1) + t[2] * v1 * v1,
@@ -52,9 +52,8 @@ Tensor inFrame(const Tensor& t, const Frame& from, const Frame& to)
           t[0] * u2 * u2 + t[1] * (2 * u2 * v2) + t[2] * v2 * v2};
 }
 
-TensorSlope inFrame(const TensorSlope& s, const Frame& from, const Frame& to)
+inline TensorSlope inFrame(const TensorSlope& s, const Frame& from, const Frame& in)
 {
-  const Frame in = turned(to, from.normal());
   const double u1 = dot(in.u, from.u), v1 = dot(in.u, from.v);
   const double u2 = dot(in.v, from.u), v2 = dot(in.v, from.v);
   return {
@@ -67,44 +66,60 @@ TensorSlope inFrame(const TensorSlope& s, const Frame& from, const Frame& to)
           s[3] * v2 * v2 * v2};
 }
 
-/// Solves the symmetric system a x = b, which is positive where the equations settle all; zeros
-/// where they do not. By Gauss's elimination without pivots.
+/// The least squares of equations that tie two unknowns in a row: u x[i] + v x[i + 1] = right. So
+/// their matrix has nothing but its diagonal and what is beside it.
 template <std::size_t n>
-std::array<double, n> solved(std::array<std::array<double, n>, n> a, std::array<double, n> b)
-{
-  double largest = 0;
-  for (std::size_t i = 0; i < n; ++i)
-    largest = std::max(largest, a[i][i]);
-  for (std::size_t i = 0; i < n; ++i) {
-    constexpr double kTooSmall = 1e-12;
-    if (!(a[i][i] > kTooSmall * largest)) return {};
-    for (std::size_t r = i + 1; r < n; ++r) {
-      const double factor = a[r][i] / a[i][i];
-      for (std::size_t c = i; c < n; ++c)
-        a[r][c] -= factor * a[i][c];
-      b[r] -= factor * b[i];
-    }
+class LeastSquares {
+ public:
+  void add(std::size_t i, double u, double v, double right)
+  {
+    diagonal_[i] += u * u;
+    beside_[i] += u * v;
+    diagonal_[i + 1] += v * v;
+    right_[i] += u * right;
+    right_[i + 1] += v * right;
   }
-  std::array<double, n> x = {};
-  for (std::size_t i = n; i-- > 0;) {
-    double rest = b[i];
-    for (std::size_t c = i + 1; c < n; ++c)
-      rest -= a[i][c] * x[c];
-    x[i] = rest / a[i][i];
-  }
-  return x;
-}
 
-/// Where a triangle lies.
-struct FacePlane {
-  Frame frame;
-  double share[3];  ///< of its area, nearest to each vertex
+  /// By Gauss's elimination without pivots, as the matrix is positive where the equations settle
+  /// all; zeros where they do not.
+  std::array<double, n> solution() const
+  {
+    double largest = 0;
+    for (const double one : diagonal_)
+      largest = std::max(largest, one);
+    std::array<double, n> diagonal = diagonal_, x = right_;
+    for (std::size_t i = 0; i < n; ++i) {
+      constexpr double kTooSmall = 1e-12;
+      if (!(diagonal[i] > kTooSmall * largest)) return {};
+      if (i + 1 == n) break;
+      const double factor = beside_[i] / diagonal[i];
+      diagonal[i + 1] -= factor * beside_[i];
+      x[i + 1] -= factor * x[i];
+    }
+    x[n - 1] /= diagonal[n - 1];
+    for (std::size_t i = n - 1; i-- > 0;)
+      x[i] = (x[i] - beside_[i] * x[i + 1]) / diagonal[i];
+    return x;
+  }
+
+ private:
+  std::array<double, n> diagonal_ = {}, right_ = {};
+  std::array<double, n - 1> beside_ = {};
 };
-/// A triangle in its own frame.
-struct Face {
-  std::uint32_t vertex[3];
+
+/// Where a triangle lies, and what is fitted to it: a Tensor and then a TensorSlope. Two cache
+/// lines, as vertices ask for the triangles about them one by one.
+struct alignas(kCacheLine) Face {
   Frame frame;
-  double u[3], v[3];  ///< the edges opposite to each vertex, from the next one to the one before
+  Vec3d normal;     ///< of the frame
+  double share[3];  ///< of its area, nearest to each vertex
+  std::array<double, 4> fitted;
+};
+
+/// How a surface bends at a vertex.
+struct alignas(kCacheLine) Bend {
+  Frame frame;
+  double curvature[2];  ///< along u and v, between which there is none
 };
 
 class CurvatureEstimator {
@@ -113,42 +128,39 @@ class CurvatureEstimator {
       : mesh_(mesh),
         normals_(normals),
         threads_(threads),
-        isProper_(properFaces(mesh, threads)),
-        corners_(mesh, threads, [this](std::size_t t) { return isProper_[t] != 0; })
+        isProper_(mesh.triangles.size()),
+        bends_(mesh.vertexCount())
   {
-    if (mesh.triangles.size() > kMostKept) return;
-    kept_.resize(mesh.triangles.size());
-    parallelForEach(threads, kept_.size(), kPerTask, [&](std::size_t t) {
-      if (isProper_[t]) kept_[t] = planeOf(t);
-    });
+    if (mesh.triangles.size() <= kMostKept)
+      kept_.resize(mesh.triangles.size());
+    else
+      fitted_.resize(mesh.triangles.size());
   }
 
-  std::vector<VertexCurvature> estimate()
+  Array<VertexCurvature> estimate()
   {
     const std::size_t vertices = mesh_.vertexCount();
-    frames_.resize(vertices);
-    tensors_.assign(vertices, Tensor{});
-    std::vector<Tensor> ofFace(mesh_.triangles.size());
-    parallelForEach(threads_, ofFace.size(), kPerTask, [&](std::size_t t) {
-      if (isProper_[t]) ofFace[t] = fit(t);
+    forEachTriangle([&](std::uint32_t v) { fetchPlace(v), prefetch(normals_.data() + v); },
+                    [&](std::size_t t) { fitTensor(t); });
+    const CornerLists corners(mesh_, threads_, [this](std::size_t t) { return isProper_[t] != 0; });
+    forEachVertex(corners, [&](std::size_t v) {
+      Bend& bend = bends_[v];
+      bend.frame = firstFrame(v);
+      turnToPrincipal(mean<Tensor>(corners.of(v), bend.frame), bend);
     });
-    parallelForEach(threads_, vertices, kPerTask, [&](std::size_t v) {
-      frames_[v] = firstFrame(v);
-      tensors_[v] = mean<Tensor>(v, ofFace);
-      turnToPrincipal(v);
-    });
-    std::vector<TensorSlope> slopeOfFace(mesh_.triangles.size());
-    parallelForEach(threads_, slopeOfFace.size(), kPerTask, [&](std::size_t t) {
-      if (isProper_[t]) slopeOfFace[t] = fitSlope(t);
-    });
-    std::vector<VertexCurvature> result(vertices);
-    parallelForEach(threads_, vertices, kPerTask, [&](std::size_t v) {
-      const TensorSlope slope = mean<TensorSlope>(v, slopeOfFace);
+    forEachTriangle([&](std::uint32_t v) { fetchPlace(v), prefetch(bends_.data() + v); },
+                    [&](std::size_t t) {
+                      if (isProper_[t] != 0) fitSlope(t);
+                    });
+    Array<VertexCurvature> result(vertices);
+    forEachVertex(corners, [&](std::size_t v) {
+      const Bend& bend = bends_[v];
+      const TensorSlope slope = mean<TensorSlope>(corners.of(v), bend.frame);
       VertexCurvature& out = result[v];
-      out.direction[0] = vec3Cast<float>(frames_[v].u);
-      out.direction[1] = vec3Cast<float>(frames_[v].v);
-      out.curvature[0] = static_cast<float>(tensors_[v][0]);
-      out.curvature[1] = static_cast<float>(tensors_[v][2]);
+      out.direction[0] = vec3Cast<float>(bend.frame.u);
+      out.direction[1] = vec3Cast<float>(bend.frame.v);
+      out.curvature[0] = static_cast<float>(bend.curvature[0]);
+      out.curvature[1] = static_cast<float>(bend.curvature[1]);
       for (std::size_t i = 0; i < 4; ++i)
         out.derivative[i] = static_cast<float>(slope[i]);
     });
@@ -156,54 +168,98 @@ class CurvatureEstimator {
   }
 
  private:
-  static std::vector<char> properFaces(const MeshView& mesh, int threads)
+  void fetchPlace(std::uint32_t v) const
   {
-    std::vector<char> proper(mesh.triangles.size());
-    parallelForEach(threads, proper.size(), kPerTask,
-                    [&](std::size_t t) { proper[t] = isProper(mesh, t) ? 1 : 0; });
-    return proper;
+    if (mesh_.positions.empty())
+      prefetch(mesh_.precisePositions.data() + v);
+    else
+      prefetch(mesh_.positions.data() + v);
   }
-  static bool isProper(const MeshView& mesh, std::size_t t)
+  /// Calls visit(number), and fetch(vertex) a while before for each of the triangle's.
+  template <class Fetch, class Visit>
+  void forEachTriangle(const Fetch& fetch, const Visit& visit) const
   {
-    const auto [a, b, c] = mesh.triangles[t].vertex;
-    const std::size_t count = mesh.vertexCount();
+    constexpr std::size_t kAhead = 12;
+    const std::size_t vertices = mesh_.vertexCount();
+    parallelForStretches(threads_, mesh_.triangles.size(), kPerTask,
+                         [&](std::size_t, std::size_t begin, std::size_t end) {
+                           for (std::size_t t = begin; t < end; ++t) {
+                             if (t + kAhead < end)
+                               for (const std::uint32_t v : mesh_.triangles[t + kAhead].vertex)
+                                 if (v < vertices) fetch(v);
+                             visit(t);
+                           }
+                         });
+  }
+  /// Calls visit(number); what is kept of the triangles there is fetched a while before.
+  template <class Visit>
+  void forEachVertex(const CornerLists& corners, const Visit& visit) const
+  {
+    constexpr std::size_t kAhead = 4;
+    const auto fetch = [&](std::size_t t) {
+      if (kept_.empty()) {
+        prefetch(mesh_.triangles.data() + t);
+        prefetch(fitted_.data() + t);
+        return;
+      }
+      const auto* const line = reinterpret_cast<const char*>(kept_.data() + t);
+      prefetch(line);
+      prefetch(line + kCacheLine);
+    };
+    parallelForStretches(threads_, mesh_.vertexCount(), kPerTask,
+                         [&](std::size_t, std::size_t begin, std::size_t end) {
+                           for (std::size_t v = begin; v < end; ++v) {
+                             if (v + kAhead < end)
+                               for (const std::uint32_t corner : corners.of(v + kAhead))
+                                 fetch(corner / 3);
+                             visit(v);
+                           }
+                         });
+  }
+
+  using Corners = std::array<Vec3d, 3>;
+
+  Corners cornersOf(std::size_t t) const
+  {
+    const auto [a, b, c] = mesh_.triangles[t].vertex;
+    return {mesh_.position(a), mesh_.position(b), mesh_.position(c)};
+  }
+  /// Of a triangle whose corners all exist, and that has an area.
+  bool isProper(std::size_t t) const
+  {
+    const auto [a, b, c] = mesh_.triangles[t].vertex;
+    const std::size_t count = mesh_.vertexCount();
     if (a >= count || b >= count || c >= count) return false;
-    const Vec3d p = mesh.position(a);
-    const Vec3d area = cross(mesh.position(b) - p, mesh.position(c) - p);
+    const Corners p = cornersOf(t);
+    const Vec3d area = cross(p[1] - p[0], p[2] - p[0]);
     return isFinite(area) && dot(area, area) > 0;
   }
 
-  using Edges = std::array<Vec3d, 3>;  ///< as in Face, in the mesh's space
+  /// Opposite to each vertex, from the next one to the one before.
+  using Edges = std::array<Vec3d, 3>;
 
-  Edges edgesOf(std::size_t t) const
+  static Edges edgesOf(const Corners& p) { return {p[2] - p[1], p[0] - p[2], p[1] - p[0]}; }
+  static Face planeOf(const Edges& edge)
   {
-    Vec3d p[3];
-    for (int i = 0; i < 3; ++i)
-      p[i] = mesh_.position(mesh_.triangles[t].vertex[i]);
-    return {p[2] - p[1], p[0] - p[2], p[1] - p[0]};
-  }
-  FacePlane planeOf(std::size_t t) const
-  {
-    const Edges edge = edgesOf(t);
-    FacePlane plane;
+    Face face;
     const Vec3d normal = normalized(cross(edge[0], edge[1]));
-    plane.frame.u = normalized(edge[0]);
-    plane.frame.v = cross(normal, plane.frame.u);
-    setShares(edge, plane.share);
-    return plane;
+    face.frame.u = normalized(edge[0]);
+    face.frame.v = cross(normal, face.frame.u);
+    face.normal = face.frame.normal();
+    setShares(edge, face.share);
+    return face;
   }
-  FacePlane keptPlane(std::size_t t) const { return kept_.empty() ? planeOf(t) : kept_[t]; }
+  /// Of a proper triangle.
   Face faceOf(std::size_t t) const
   {
-    const Edges edge = edgesOf(t);
-    Face face;
-    face.frame = keptPlane(t).frame;
-    for (std::size_t i = 0; i < 3; ++i) {
-      face.vertex[i] = mesh_.triangles[t].vertex[i];
-      face.u[i] = dot(edge[i], face.frame.u);
-      face.v[i] = dot(edge[i], face.frame.v);
-    }
+    if (!kept_.empty()) return kept_[t];
+    Face face = planeOf(edgesOf(cornersOf(t)));
+    face.fitted = fitted_[t];
     return face;
+  }
+  std::array<double, 4>& fittedTo(std::size_t t)
+  {
+    return kept_.empty() ? fitted_[t] : kept_[t].fitted;
   }
   /// Of acute triangles the part about the circumcentre; obtuse ones are cut at their sides'
   /// middles.
@@ -229,49 +285,46 @@ class CurvatureEstimator {
 
   Vec3d normal(std::uint32_t v) const { return vec3Cast<double>(normals_[v]); }
 
-  Tensor fit(std::size_t t) const
+  void fitTensor(std::size_t t)
   {
-    const Face face = faceOf(t);
-    std::array<std::array<double, 3>, 3> a = {};
-    std::array<double, 3> b = {};
-    for (int i = 0; i < 3; ++i) {
-      const Vec3d change = normal(face.vertex[(i + 2) % 3]) - normal(face.vertex[(i + 1) % 3]);
-      const double du = dot(change, face.frame.u), dv = dot(change, face.frame.v);
-      const double u = face.u[i], v = face.v[i];
-      add<3>({u, v, 0}, du, a, b);
-      add<3>({0, u, v}, dv, a, b);
+    isProper_[t] = isProper(t) ? 1 : 0;
+    if (isProper_[t] == 0) return;
+    const Edges edge = edgesOf(cornersOf(t));
+    const Face face = planeOf(edge);
+    if (!kept_.empty()) kept_[t] = face;
+    const auto& vertex = mesh_.triangles[t].vertex;
+    const Vec3d n[3] = {normal(vertex[0]), normal(vertex[1]), normal(vertex[2])};
+    LeastSquares<3> equations;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3d change = n[(i + 2) % 3] - n[(i + 1) % 3];
+      const double u = dot(edge[i], face.frame.u), v = dot(edge[i], face.frame.v);
+      equations.add(0, u, v, dot(change, face.frame.u));
+      equations.add(1, u, v, dot(change, face.frame.v));
     }
-    return solved<3>(a, b);
+    const Tensor tensor = equations.solution();
+    fittedTo(t) = {tensor[0], tensor[1], tensor[2], 0};
   }
-  TensorSlope fitSlope(std::size_t t) const
+  void fitSlope(std::size_t t)
   {
+    const Edges edge = edgesOf(cornersOf(t));
     const Face face = faceOf(t);
     Tensor at[3];
-    for (int i = 0; i < 3; ++i)
-      at[i] = inFrame(tensors_[face.vertex[i]], frames_[face.vertex[i]], face.frame);
-    std::array<std::array<double, 4>, 4> a = {};
-    std::array<double, 4> b = {};
-    for (int i = 0; i < 3; ++i) {
-      const double u = face.u[i], v = face.v[i];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Bend& bend = bends_[mesh_.triangles[t].vertex[i]];
+      at[i] = inFrame(Tensor{bend.curvature[0], 0, bend.curvature[1]}, bend.frame,
+                      turned(face.frame, face.normal, bend.frame.normal()));
+    }
+    LeastSquares<4> equations;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double u = dot(edge[i], face.frame.u), v = dot(edge[i], face.frame.v);
       const Tensor &from = at[(i + 1) % 3], &to = at[(i + 2) % 3];
-      add<4>({u, v, 0, 0}, to[0] - from[0], a, b);
+      equations.add(0, u, v, to[0] - from[0]);
       // f stands twice in the tensor.
-      add<4>({0, u, v, 0}, to[1] - from[1], a, b);
-      add<4>({0, u, v, 0}, to[1] - from[1], a, b);
-      add<4>({0, 0, u, v}, to[2] - from[2], a, b);
+      equations.add(1, u, v, to[1] - from[1]);
+      equations.add(1, u, v, to[1] - from[1]);
+      equations.add(2, u, v, to[2] - from[2]);
     }
-    return solved<4>(a, b);
-  }
-  /// One equation of the least squares.
-  template <std::size_t n>
-  static void add(const std::array<double, n>& row, double right,
-                  std::array<std::array<double, n>, n>& a, std::array<double, n>& b)
-  {
-    for (std::size_t i = 0; i < n; ++i) {
-      for (std::size_t k = 0; k < n; ++k)
-        a[i][k] += row[i] * row[k];
-      b[i] += row[i] * right;
-    }
+    fittedTo(t) = equations.solution();
   }
 
   /// Any frame about the vertex' normal.
@@ -283,28 +336,35 @@ class CurvatureEstimator {
     return {u, cross(n, u)};
   }
 
+  /// What is fitted to the triangles of these corners, in the frame of their vertex.
   template <class Quantity>
-  Quantity mean(std::size_t v, const std::vector<Quantity>& ofFace) const
+  Quantity mean(Span<const std::uint32_t> corners, const Frame& frame) const
   {
+    const Vec3d normal = frame.normal();
     Quantity sum = {};
     double weight = 0;
-    for (const std::uint32_t corner : corners_.of(v)) {
-      const FacePlane plane = keptPlane(corner / 3);
-      const Quantity here = inFrame(ofFace[corner / 3], plane.frame, frames_[v]);
-      const double share = plane.share[corner % 3];
-      for (std::size_t k = 0; k < sum.size(); ++k)
-        sum[k] += share * here[k];
+    const auto add = [&](const Face& face, std::size_t k) {
+      Quantity fitted;
+      std::copy_n(face.fitted.begin(), fitted.size(), fitted.begin());
+      const Quantity here = inFrame(fitted, face.frame, turned(frame, normal, face.normal));
+      const double share = face.share[k];
+      for (std::size_t i = 0; i < sum.size(); ++i)
+        sum[i] += share * here[i];
       weight += share;
-    }
+    };
+    for (const std::uint32_t corner : corners)
+      if (kept_.empty())
+        add(faceOf(corner / 3), corner % 3);
+      else
+        add(kept_[corner / 3], corner % 3);
     for (double& one : sum)
       one = weight > 0 ? one / weight : 0.0;
     return sum;
   }
 
   /// Makes the tensor diagonal, the larger curvature first.
-  void turnToPrincipal(std::size_t v)
+  static void turnToPrincipal(const Tensor& t, Bend& bend)
   {
-    Tensor& t = tensors_[v];
     double c = 1, s = 0, tangent = 0;
     if (t[1] != 0) {
       const double h = 0.5 * (t[2] - t[0]) / t[1];
@@ -313,29 +373,26 @@ class CurvatureEstimator {
       s = tangent * c;
     }
     double k1 = t[0] - tangent * t[1], k2 = t[2] + tangent * t[1];
-    Frame frame = {frames_[v].u * c - frames_[v].v * s, frames_[v].u * s + frames_[v].v * c};
+    Frame frame = {bend.frame.u * c - bend.frame.v * s, bend.frame.u * s + bend.frame.v * c};
     if (std::fabs(k1) < std::fabs(k2)) {
       std::swap(k1, k2);
       frame = {frame.v, -frame.u};
     }
-    t = {k1, 0, k2};
-    frames_[v] = frame;
+    bend = {frame, {k1, k2}};
   }
 
   const MeshView& mesh_;
   Span<const Vec3f> normals_;
   int threads_;
-  std::vector<char> isProper_;
-  CornerLists corners_;
-  Array<FacePlane> kept_;  ///< by triangle; none of a mesh with too many
-  std::vector<Frame> frames_;
-  std::vector<Tensor> tensors_;
+  Array<std::uint8_t> isProper_;         ///< by triangle
+  Array<Face> kept_;                     ///< by triangle; none of a mesh with too many
+  Array<std::array<double, 4>> fitted_;  ///< then what is fitted to them alone
+  Array<Bend> bends_;
 };
 
 }  // namespace
 
-std::vector<VertexCurvature> vertexCurvature(const MeshView& mesh, Span<const Vec3f> normals,
-                                             int threads)
+Array<VertexCurvature> vertexCurvature(const MeshView& mesh, Span<const Vec3f> normals, int threads)
 {
   return CurvatureEstimator(mesh, normals, threads).estimate();
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Base/Array.h"
 #include "Rendering/Mesh/MeshView.h"
 
 #include <vector>
@@ -23,7 +24,7 @@ struct VertexCurvature {
 /// `normals` are unit, one per vertex. Vertices without a proper face get zeros, as do those with
 /// one that is broken. The same bits on any number of threads.
 /// Requires: fewer than 2^32 / 3 triangles.
-std::vector<VertexCurvature> vertexCurvature(const MeshView& mesh, Span<const Vec3f> normals,
-                                             int threads);
+Array<VertexCurvature> vertexCurvature(const MeshView& mesh, Span<const Vec3f> normals,
+                                       int threads);
 
 }  // namespace limn

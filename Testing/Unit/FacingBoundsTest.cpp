@@ -22,7 +22,7 @@ struct Model {
   std::vector<Vec3f> normals;
   SplitNormals split;
   EdgeTable table;
-  std::vector<VertexCurvature> curvature;
+  Array<VertexCurvature> curvature;
   FacingBounds faceBounds, normalBounds;
   CurveBounds curveBounds;
 

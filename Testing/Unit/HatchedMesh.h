@@ -19,7 +19,7 @@ inline constexpr double kSmooth = 60, kSharp = 30;
 struct Hatched {
   Polyhedron mesh;
   std::vector<Vec3f> normals;
-  std::vector<VertexCurvature> curvature;
+  Array<VertexCurvature> curvature;
   EdgeTable table;
   std::vector<std::uint8_t> kinds;
   CutMesh cut;

@@ -19,7 +19,7 @@ constexpr double kPi = 3.14159265358979323846;
 struct Curved {
   Polyhedron mesh;
   std::vector<Vec3f> normals;
-  std::vector<VertexCurvature> curvature;
+  Array<VertexCurvature> curvature;
   EdgeTable table;
 
   explicit Curved(Polyhedron solid, std::vector<Vec3f> given = {})

@@ -129,7 +129,7 @@ private:
   FacingBounds normalBounds_;
   std::vector<Vec3f> smoothNormals_;
   NormalsVersion curvedNormals_;
-  std::vector<VertexCurvature> curvature_;
+  Array<VertexCurvature> curvature_;
   CurveBounds curveBounds_; ///< of it; empty until suggestive contours are asked for
   std::shared_ptr<const ContourLines> ridges_, valleys_;
   double ridgeThreshold_ = -1; ///< of these
