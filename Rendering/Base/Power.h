@@ -109,16 +109,17 @@ inline double cosineOfDegrees(double degrees)
 /// three times halved, then the arc tangent's Taylor series. 0 for the zero vector.
 inline double angleOf(double cosine, double sine)
 {
-  if (cosine < 0.0) return 3.14159265358979323846 - angleOf(-cosine, sine);
-  if (sine == 0.0) return 0.0;
-  double tangent = sine / (cosine + std::sqrt(cosine * cosine + sine * sine));
+  // Without branches, as angles above a right one come as they will.
+  const double size = std::fabs(cosine);
+  double tangent = sine / (size + std::sqrt(size * size + sine * sine));
   for (int i = 0; i < 2; ++i)
     tangent = tangent / (1.0 + std::sqrt(1.0 + tangent * tangent));
   const double t2 = tangent * tangent;
   double sum = 0.0;
   for (int k = 15; k >= 1; k -= 2)
     sum = 1.0 / k - t2 * sum;
-  return 8.0 * tangent * sum;
+  const double acute = sine == 0.0 ? 0.0 : 8.0 * tangent * sum;
+  return cosine < 0.0 ? 3.14159265358979323846 - acute : acute;
 }
 
 }  // namespace limn

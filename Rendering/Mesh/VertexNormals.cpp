@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/VertexNormals.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/Array.h"
+#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
 #include "Rendering/Mesh/CornerLists.h"
+#include "Rendering/Mesh/EdgesAhead.h"
 
 #include <algorithm>
 #include <limits>
@@ -23,30 +25,101 @@ Vec3d twiceArea(const MeshView& mesh, const Triangle& triangle)
   return isFinite(area) ? area : Vec3d{0, 0, 0};
 }
 
-/// What a triangle of this vector area, not zero, and this unit normal adds at its corner k.
-Vec3d contribution(const MeshView& mesh, const Triangle& triangle, int k, Vec3d area, Vec3d normal,
-                   NormalWeight weight)
+/// What a triangle adds to the normals at its corners: one cache line, as vertices ask for the
+/// triangles about them one by one.
+struct alignas(kCacheLine) Contribution {
+  Vec3d normal;  ///< unit; or zero
+  Vec3d size;    ///< kArea: the vector area; kAngle: angles by corner
+  std::uint32_t vertex[3];
+  bool counts;  ///< or adds nothing
+
+  Vec3d at(std::size_t k, NormalWeight weight) const
+  {
+    if (weight == NormalWeight::kArea) return size;
+    if (weight == NormalWeight::kUniform) return normal;
+    return normal * (k == 0 ? size.x : k == 1 ? size.y : size.z);
+  }
+};
+
+Contribution contributionOf(const MeshView& mesh, const Triangle& triangle, NormalWeight weight)
 {
-  if (weight == NormalWeight::kArea) return area;
-  if (weight == NormalWeight::kUniform) return normal;
-  const auto position = [&](int i) { return mesh.position(triangle.vertex[(k + i) % 3]); };
-  const Vec3d u = position(1) - position(0), v = position(2) - position(0);
-  return normal * angleOf(dot(u, v), std::sqrt(dot(area, area)));
+  const auto [a, b, c] = triangle.vertex;
+  const Vec3d area = twiceArea(mesh, triangle);
+  Contribution added = {{0, 0, 0}, area, {a, b, c}, !(area == Vec3d{0, 0, 0})};
+  if (!added.counts) return added;
+  added.normal = normalized(area);
+  if (weight != NormalWeight::kAngle) return added;
+  const Vec3d p[3] = {mesh.position(a), mesh.position(b), mesh.position(c)};
+  const double length = std::sqrt(dot(area, area));
+  const auto angleAt = [&](std::size_t k) {
+    const Vec3d& at = p[k];
+    return angleOf(dot(p[(k + 1) % 3] - at, p[(k + 2) % 3] - at), length);
+  };
+  added.size = {angleAt(0), angleAt(1), angleAt(2)};
+  return added;
 }
+
+/// Begins to read the positions of a triangle's vertices.
+void fetchPositions(const MeshView& mesh, const Triangle& triangle)
+{
+  for (const std::uint32_t v : triangle.vertex)
+    if (v < mesh.vertexCount()) fetchPosition(mesh, v);
+}
+
+/// What all triangles of a mesh add: found once where that takes bounded memory, as each is asked
+/// for at three vertices.
+class Contributions {
+ public:
+  Contributions(const MeshView& mesh, NormalWeight weight, int threads)
+      : mesh_(mesh), weight_(weight)
+  {
+    if (mesh.triangles.size() > kMostKept) return;
+    kept_.resize(mesh.triangles.size());
+    parallelForStretches(threads, kept_.size(), kTrianglesPerTask,
+                         [&](std::size_t, std::size_t begin, std::size_t end) {
+                           for (std::size_t t = begin; t < end; ++t) {
+                             if (t + kAhead < end) fetchPositions(mesh, mesh.triangles[t + kAhead]);
+                             kept_[t] = contributionOf(mesh, mesh.triangles[t], weight);
+                           }
+                         });
+  }
+
+  NormalWeight weight() const { return weight_; }
+  /// Begins to read what of() reads.
+  void fetch(std::size_t triangle) const
+  {
+    if (kept_.empty())
+      prefetch(mesh_.triangles.data() + triangle);
+    else
+      prefetch(kept_.data() + triangle);
+  }
+  Contribution of(std::size_t triangle) const
+  {
+    return kept_.empty() ? contributionOf(mesh_, mesh_.triangles[triangle], weight_)
+                         : kept_[triangle];
+  }
+
+ private:
+  static constexpr std::size_t kMostKept = std::size_t{1} << 22, kTrianglesPerTask = 8192,
+                               kAhead = 12;
+
+  const MeshView& mesh_;
+  NormalWeight weight_;
+  Array<Contribution> kept_;
+};
 
 /// Groups the corners around one vertex and sums each group's normal. Kept from vertex to vertex
 /// for its memory.
 class CornerGroups {
  public:
-  CornerGroups(const MeshView& mesh, Span<const std::uint32_t> cells, NormalWeight weight,
-               double featureDegrees)
-      : mesh_(mesh), cells_(cells), weight_(weight), cosine_(cosineOfDegrees(featureDegrees))
+  CornerGroups(const Contributions& contributions, Span<const std::uint32_t> cells, double cosine)
+      : contributions_(contributions), cells_(cells), cosine_(cosine)
   {
   }
 
   /// Appends the vertex's normals and numbers them, from 0 on, in ofCorner.
   void add(Span<const std::uint32_t> corners, std::vector<Vec3f>& normals,
-           std::vector<std::uint32_t>& ofCorner)
+           Array<std::uint32_t>& ofCorner)
   {
     read(corners);
     join();
@@ -55,30 +128,27 @@ class CornerGroups {
 
  private:
   struct Corner {
-    Vec3d area, normal;
+    Vec3d normal, added;
+    std::uint32_t triangle;
     std::uint32_t group;  ///< the number of a corner of the same group, at most its own
+    bool counts;
   };
   struct Edge {
     std::uint32_t end;     ///< vertex
     std::uint32_t corner;  ///< index into corners_
   };
 
-  const Triangle& triangleOf(std::uint32_t corner) const { return mesh_.triangles[corner / 3]; }
-
   void read(Span<const std::uint32_t> corners)
   {
     corners_.clear();
     edges_.clear();
-    triangles_.clear();
     for (std::uint32_t i = 0; i < corners.size(); ++i) {
-      const Triangle& triangle = triangleOf(corners[i]);
-      const std::uint32_t k = corners[i] % 3;
-      const Vec3d area = twiceArea(mesh_, triangle);
-      corners_.push_back({area, normalized(area), i});
-      triangles_.push_back(corners[i] / 3);
-      if (area == Vec3d{0, 0, 0}) continue;
-      edges_.push_back({triangle.vertex[(k + 1) % 3], i});
-      edges_.push_back({triangle.vertex[(k + 2) % 3], i});
+      const std::uint32_t triangle = corners[i] / 3, k = corners[i] % 3;
+      const Contribution one = contributions_.of(triangle);
+      corners_.push_back({one.normal, one.at(k, contributions_.weight()), triangle, i, one.counts});
+      if (!one.counts) continue;
+      edges_.push_back({one.vertex[(k + 1) % 3], i});
+      edges_.push_back({one.vertex[(k + 2) % 3], i});
     }
   }
 
@@ -92,7 +162,8 @@ class CornerGroups {
   }
   bool isSmooth(std::uint32_t a, std::uint32_t b) const
   {
-    const bool isOneCell = !cells_.empty() && cells_[triangles_[a]] == cells_[triangles_[b]];
+    const bool isOneCell =
+        !cells_.empty() && cells_[corners_[a].triangle] == cells_[corners_[b].triangle];
     return isOneCell || dot(corners_[a].normal, corners_[b].normal) >= cosine_;
   }
   void join(const Edge& a, const Edge& b)
@@ -122,15 +193,13 @@ class CornerGroups {
   }
 
   void number(Span<const std::uint32_t> corners, std::vector<Vec3f>& normals,
-              std::vector<std::uint32_t>& ofCorner)
+              Array<std::uint32_t>& ofCorner)
   {
     sums_.assign(corners.size(), Vec3d{0, 0, 0});
     for (std::uint32_t i = 0; i < corners.size(); ++i) {
-      const Corner& corner = corners_[i];
-      if (corner.area == Vec3d{0, 0, 0}) continue;
+      if (!corners_[i].counts) continue;
       Vec3d& sum = sums_[rootOf(i)];
-      sum = sum + contribution(mesh_, triangleOf(corners[i]), static_cast<int>(corners[i] % 3),
-                               corner.area, corner.normal, weight_);
+      sum = sum + corners_[i].added;
     }
     for (std::uint32_t i = 0; i < corners.size(); ++i) {
       const std::uint32_t root = rootOf(i);
@@ -143,12 +212,10 @@ class CornerGroups {
     }
   }
 
-  const MeshView& mesh_;
+  const Contributions& contributions_;
   Span<const std::uint32_t> cells_;
-  NormalWeight weight_;
   double cosine_;
   std::vector<Corner> corners_;
-  std::vector<std::uint32_t> triangles_;
   std::vector<Edge> edges_;
   std::vector<Vec3d> sums_;
 };
@@ -159,13 +226,19 @@ std::vector<Vec3f> vertexNormals(const MeshView& mesh, NormalWeight weight)
 {
   const std::size_t count = mesh.vertexCount();
   std::vector<Vec3d> sums(count, Vec3d{0, 0, 0});
-  for (const Triangle& triangle : mesh.triangles) {
-    const Vec3d area = twiceArea(mesh, triangle);
-    if (area == Vec3d{0, 0, 0}) continue;
-    const Vec3d normal = weight == NormalWeight::kArea ? area : normalized(area);
-    for (int k = 0; k < 3; ++k) {
-      Vec3d& sum = sums[triangle.vertex[k]];
-      sum = sum + contribution(mesh, triangle, k, area, normal, weight);
+  constexpr std::size_t kAhead = 12;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (t + kAhead < mesh.triangles.size()) {
+      const Triangle& ahead = mesh.triangles[t + kAhead];
+      fetchPositions(mesh, ahead);
+      for (const std::uint32_t v : ahead.vertex)
+        if (v < count) prefetch(sums.data() + v);
+    }
+    const Contribution one = contributionOf(mesh, mesh.triangles[t], weight);
+    if (!one.counts) continue;
+    for (std::size_t k = 0; k < 3; ++k) {
+      Vec3d& sum = sums[one.vertex[k]];
+      sum = sum + one.at(k, weight);
     }
   }
   std::vector<Vec3f> normals(count);
@@ -182,24 +255,27 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
     return {Error::kTooManyPrimitives,
             "The mesh has too many triangles for normals split at a feature angle; draw it in "
             "parts, or without one."};
-  // Corners without a vertex have the first normal: none of them is drawn.
-  split.ofCorner.assign(3 * mesh.triangles.size(), 0);
+  split.ofCorner.resize(3 * mesh.triangles.size());
   const CornerLists corners(mesh, threads, [](std::size_t) { return true; });
+  const Contributions contributions(mesh, weight, threads);
+  const double cosine = cosineOfDegrees(featureDegrees);
 
-  constexpr std::size_t kBlock = 4096;
-  const std::size_t blocks = (mesh.vertexCount() + kBlock - 1) / kBlock;
+  constexpr std::size_t kBlock = 4096, kTrianglesPerTask = 8192, kAhead = 4;
+  const std::size_t vertices = mesh.vertexCount(), blocks = stretchCount(vertices, kBlock);
   std::vector<std::vector<Vec3f>> normals(blocks);
-  const auto forEachVertex = [&](std::size_t block, auto visit) {
-    const std::size_t end = std::min(mesh.vertexCount(), (block + 1) * kBlock);
-    for (std::size_t vertex = block * kBlock; vertex < end; ++vertex)
-      visit(corners.of(vertex));
-  };
-  parallelFor(threads, blocks, [&](std::size_t block) {
-    CornerGroups groups(mesh, cells, weight, featureDegrees);
-    forEachVertex(block, [&](Span<const std::uint32_t> around) {
-      groups.add(around, normals[block], split.ofCorner);
-    });
-  });
+  parallelForStretches(threads, vertices, kBlock,
+                       [&](std::size_t block, std::size_t begin, std::size_t end) {
+                         CornerGroups groups(contributions, cells, cosine);
+                         normals[block].reserve(end - begin);
+                         for (std::size_t v = begin; v < end; ++v) {
+                           if (v + kAhead < end)
+                             for (const std::uint32_t corner : corners.of(v + kAhead)) {
+                               contributions.fetch(corner / 3);
+                               prefetch(split.ofCorner.data() + corner);
+                             }
+                           groups.add(corners.of(v), normals[block], split.ofCorner);
+                         }
+                       });
 
   std::vector<std::size_t> first(blocks + 1, 0);
   for (std::size_t block = 0; block < blocks; ++block)
@@ -208,10 +284,14 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
   split.normals.assign(std::max<std::size_t>(first[blocks], 1), Vec3f{0, 0, 0});
   parallelFor(threads, blocks, [&](std::size_t block) {
     std::copy(normals[block].begin(), normals[block].end(), split.normals.begin() + first[block]);
-    forEachVertex(block, [&](Span<const std::uint32_t> around) {
-      for (const std::uint32_t corner : around)
-        split.ofCorner[corner] += static_cast<std::uint32_t>(first[block]);
-    });
+  });
+  parallelForEach(threads, mesh.triangles.size(), kTrianglesPerTask, [&](std::size_t t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t v = mesh.triangles[t].vertex[k];
+      std::uint32_t& number = split.ofCorner[3 * t + k];
+      // Corners without a vertex have the first normal: none of them is drawn.
+      number = v < vertices ? number + static_cast<std::uint32_t>(first[v / kBlock]) : 0;
+    }
   });
   return {};
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Base/Array.h"
 #include "Rendering/Base/Status.h"
 #include "Rendering/Mesh/MeshView.h"
 
@@ -24,8 +25,8 @@ enum class NormalWeight : std::uint8_t {
 std::vector<Vec3f> vertexNormals(const MeshView& mesh, NormalWeight weight);
 
 struct SplitNormals {
-  std::vector<Vec3f> normals;           ///< unit, or zero; a vertex may have several
-  std::vector<std::uint32_t> ofCorner;  ///< three a triangle: Attributes::normalOfCorner
+  std::vector<Vec3f> normals;     ///< unit, or zero; a vertex may have several
+  Array<std::uint32_t> ofCorner;  ///< three a triangle: Attributes::normalOfCorner
 };
 
 /// As vertexNormals(), but apart on the two sides of a feature edge: a corner's normal is the sum
