@@ -3,7 +3,9 @@
 #include "Rendering/Lines/CurveBounds.h"
 
 #include "Rendering/Base/ParallelStretches.h"
+#include "Rendering/Mesh/EdgesAhead.h"
 #include "Rendering/Mesh/LocalPosition.h"
+#include "Rendering/Mesh/RecentValues.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,48 +32,80 @@ Tensor tensorOf(const VertexCurvature& c)
            k * a.y * a.z + l * b.y * b.z, k * a.z * a.x + l * b.z * b.x}};
 }
 
-/// Of the vertices of some edges.
-CurvatureBox boxOf(const CurvedSurface& surface, Span<const MeshEdge> edges)
+/// How a surface bends at a vertex.
+struct VertexBend {
+  Vec3d position;
+  Tensor tensor;
+  double size;
+  bool isKnown, isConvex;
+};
+
+VertexBend bendAt(const CurvedSurface& surface, std::uint32_t vertex)
 {
-  Box places;
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  double low[6], high[6], size = 0;
-  std::fill(low, low + 6, kFar);
-  std::fill(high, high + 6, -kFar);
-  bool isKnown = true;
-  for (const MeshEdge& edge : edges)
-    for (const std::uint32_t vertex : edge.vertex) {
-      places.add(surface.mesh.position(vertex));
-      const VertexCurvature& c = surface.curvature[vertex];
-      const Tensor tensor = tensorOf(c);
-      for (int i = 0; i < 6; ++i) {
-        low[i] = std::min(low[i], tensor.value[i]);
-        high[i] = std::max(high[i], tensor.value[i]);
-        isKnown = isKnown && std::isfinite(tensor.value[i]);
-      }
-      size = std::max(size, std::fabs(static_cast<double>(c.curvature[0])) +
-                                std::fabs(static_cast<double>(c.curvature[1])));
-    }
-  const Vec3d center = (places.low + places.high) * 0.5, reach = places.high - center;
-  CurvatureBox box = {};
-  box.center = vec3Cast<float>(center);
-  const Vec3d rounded = vec3Cast<double>(box.center) - center;
-  const double radius = std::sqrt(dot(reach, reach)) + std::sqrt(dot(rounded, rounded));
-  box.radius = static_cast<float>(radius * (1 + kRounding));
-  box.size =
-      isKnown ? static_cast<float>(size * (1 + kRounding)) : std::numeric_limits<float>::infinity();
-  for (int i = 0; i < 6; ++i) {
-    box.middle[i] = static_cast<float>(0.5 * (low[i] + high[i]));
-    box.half[i] = static_cast<float>(0.5 * (high[i] - low[i]));
-  }
-  return box;
+  const VertexCurvature& c = surface.curvature[vertex];
+  VertexBend bend = {surface.mesh.position(vertex), tensorOf(c),
+                     std::fabs(static_cast<double>(c.curvature[0])) +
+                         std::fabs(static_cast<double>(c.curvature[1])),
+                     true, c.curvature[0] >= 0 && c.curvature[1] >= 0};
+  for (const double value : bend.tensor.value)
+    bend.isKnown = bend.isKnown && std::isfinite(value);
+  return bend;
 }
+
+/// About the vertices of some edges.
+class CurvatureBoxBuilder {
+ public:
+  CurvatureBoxBuilder()
+  {
+    constexpr double kFar = std::numeric_limits<double>::infinity();
+    std::fill(low_, low_ + 6, kFar);
+    std::fill(high_, high_ + 6, -kFar);
+  }
+
+  void add(const VertexBend& bend)
+  {
+    places_.add(bend.position);
+    for (int i = 0; i < 6; ++i) {
+      low_[i] = std::min(low_[i], bend.tensor.value[i]);
+      high_[i] = std::max(high_[i], bend.tensor.value[i]);
+    }
+    size_ = std::max(size_, bend.size);
+    isKnown_ = isKnown_ && bend.isKnown;
+    isConvex_ = isConvex_ && bend.isConvex;
+  }
+  bool isConvex() const { return isConvex_; }
+  CurvatureBox box() const
+  {
+    const Vec3d center = (places_.low + places_.high) * 0.5, reach = places_.high - center;
+    CurvatureBox box = {};
+    box.center = vec3Cast<float>(center);
+    const Vec3d rounded = vec3Cast<double>(box.center) - center;
+    const double radius = std::sqrt(dot(reach, reach)) + std::sqrt(dot(rounded, rounded));
+    box.radius = static_cast<float>(radius * (1 + kRounding));
+    box.size = isKnown_ ? static_cast<float>(size_ * (1 + kRounding))
+                        : std::numeric_limits<float>::infinity();
+    for (int i = 0; i < 6; ++i) {
+      box.middle[i] = static_cast<float>(0.5 * (low_[i] + high_[i]));
+      box.half[i] = static_cast<float>(0.5 * (high_[i] - low_[i]));
+    }
+    return box;
+  }
+
+ private:
+  Box places_;
+  double low_[6], high_[6], size_ = 0;
+  bool isKnown_ = true, isConvex_ = true;
+};
 
 }  // namespace
 
-double featureSize(const MeshView& mesh)
+double featureSize(const MeshView& mesh, int threads)
 {
-  const Box box = finiteBox(mesh);
+  return featureSize(finiteBox(mesh, threads));
+}
+
+double featureSize(const Box& box)
+{
   if (box.empty()) return 1;
   const Vec3d diagonal = box.high - box.low;
   const double size = 0.025 * std::sqrt(dot(diagonal, diagonal));
@@ -80,25 +114,37 @@ double featureSize(const MeshView& mesh)
 
 CurveBounds boundCurves(const CurvedSurface& surface, const EdgeTable& table, int threads)
 {
-  FeatureArrays arrays;
-  arrays.vertexNormals = surface.normals;
+  const Box box = finiteBox(surface.mesh, threads);
   CurveBounds bounds = {
-      boundNormals(surface.mesh, table, arrays, threads), {}, {}, featureSize(surface.mesh)};
-  const auto isConvex = [&](std::uint32_t v) {
-    return surface.curvature[v].curvature[0] >= 0 && surface.curvature[v].curvature[1] >= 0;
-  };
+      boundEnds(surface.mesh, box, table, surface.normals, threads), {}, {}, featureSize(box)};
   const std::size_t count = bounds.facing.boxes.size();
   bounds.boxes.resize(count);
   bounds.isConvex.resize(count);
-  parallelForEach(threads, count, kBoxesPerTask, [&](std::size_t b) {
-    const std::size_t first = b * kEdgesPerBound;
-    const Span<const MeshEdge> edges = {table.edges.data() + first,
-                                        std::min(kEdgesPerBound, table.edges.size() - first)};
-    bounds.boxes[b] = boxOf(surface, edges);
-    bounds.isConvex[b] = std::all_of(edges.begin(), edges.end(), [&](const MeshEdge& edge) {
-      return isConvex(edge.vertex[0]) && isConvex(edge.vertex[1]);
-    });
-  });
+  constexpr std::size_t kEdgesPerTask = kBoxesPerTask * kEdgesPerBound;
+  parallelForStretches(
+      threads, table.edges.size(), kEdgesPerTask,
+      [&](std::size_t, std::size_t first, std::size_t end) {
+        RecentValues<VertexBend> bends;
+        CurvatureBoxBuilder bend;
+        const auto fetch = [&](const MeshEdge& edge) {
+          for (const std::uint32_t vertex : edge.vertex) {
+            if (bends.has(vertex)) continue;
+            prefetch(surface.curvature.data() + vertex);
+            fetchPosition(surface.mesh, vertex);
+          }
+        };
+        forEachEdgeAhead(
+            table, first, end, fetch, [](const MeshEdge&) {},
+            [&](std::size_t e) {
+              forEachNewEnd(table, e, [&](std::uint32_t vertex) {
+                bend.add(bends.at(vertex, [&](std::uint32_t v) { return bendAt(surface, v); }));
+              });
+              if ((e + 1) % kEdgesPerBound != 0 && e + 1 != end) return;
+              bounds.boxes[e / kEdgesPerBound] = bend.box();
+              bounds.isConvex[e / kEdgesPerBound] = bend.isConvex() ? 1 : 0;
+              bend = {};
+            });
+      });
   return bounds;
 }
 

@@ -19,7 +19,9 @@ struct CurvedSurface {
 
 /// The length s by which thresholds are told, so that they do not depend on the unit of length: a
 /// twentieth of half the diagonal of the mesh's box.
-double featureSize(const MeshView& mesh);
+double featureSize(const MeshView& mesh, int threads = 1);
+/// Of finiteBox() of the mesh.
+double featureSize(const Box& box);
 
 /// Box about the curvature tensors K = k_1 e_1 e_1^T + k_2 e_2 e_2^T of some vertices.
 struct CurvatureBox {

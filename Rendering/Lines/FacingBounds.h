@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/Prefetch.h"
 #include "Rendering/Mesh/EdgeTable.h"
+#include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Scene.h"
 
 #include <algorithm>
@@ -38,6 +39,22 @@ FacingBounds boundFaces(const MeshView& mesh, const EdgeTable& table, int thread
 /// Planes through the ends of edges, by the vertex normals that the faces there have.
 FacingBounds boundNormals(const MeshView& mesh, const EdgeTable& table, const FeatureArrays& arrays,
                           int threads);
+
+/// Planes through the ends of edges, by the normals, one a vertex, that these ends have themselves.
+/// `box` is finiteBox() of the mesh.
+FacingBounds boundEnds(const MeshView& mesh, const Box& box, const EdgeTable& table,
+                       Span<const Vec3f> normals, int threads);
+
+/// Calls visit(vertex) for the ends of an edge, but for the lower one where the edge before, of the
+/// same kEdgesPerBound, has it, too.
+template <class Visit>
+void forEachNewEnd(const EdgeTable& table, std::size_t e, const Visit& visit)
+{
+  const MeshEdge& edge = table.edges[e];
+  if (e % kEdgesPerBound == 0 || table.edges[e - 1].vertex[0] != edge.vertex[0])
+    visit(edge.vertex[0]);
+  visit(edge.vertex[1]);
+}
 
 /// Calls visit(edge's number) for those of the edges [first, end) whose bounds are not left out:
 /// isLeftOut(number of a box). `first` is a multiple of kEdgesPerBound. What is read of so few

@@ -172,7 +172,7 @@ class CrossSmoother {
   {
     trust_.assign(count_, 0.0);
     principal_.assign(count_, Quadruple{0, 0});
-    const double size = kFeatureSizes * featureSize(surface_.mesh);
+    const double size = kFeatureSizes * featureSize(surface_.mesh, threads_);
     parallelForEach(threads_, count_, kPerTask, [&](std::size_t v) {
       if (!hasLinks(v)) return;
       const Vec3d d = principalOf(v), u = axisU(v), w = cross(normalOf(v), u);

@@ -157,10 +157,10 @@ class RadialField {
 }  // namespace
 
 ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, ExtremeKind kind,
-                          const CurveThresholds& thresholds, int threads)
+                          const CurveThresholds& thresholds, double featureSize, int threads)
 {
   const double sign = kind == ExtremeKind::kRidge ? 1 : -1;
-  const double least = thresholds.ridge / featureSize(surface.mesh);
+  const double least = thresholds.ridge / featureSize;
   const auto bend = [&](std::uint32_t v) {
     return sign * static_cast<double>(surface.curvature[v].curvature[0]);
   };
@@ -170,11 +170,10 @@ ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, 
     const VertexCurvature& c = surface.curvature[v];
     return vec3Cast<double>(c.direction[0]) * (sign * static_cast<double>(c.derivative[0]));
   };
-  const double size = featureSize(surface.mesh);
   const auto isCrest = [&](Vec3d change, Vec3d edge, double curvature) {
     const double squared = dot(change, change), most = std::sqrt(squared * dot(edge, edge));
     const double along = std::max(std::fabs(dot(change, edge)), kLeastCosine * most);
-    return squared * (size * size) >= 2 * kLeastFall * curvature * along;
+    return squared * (featureSize * featureSize) >= 2 * kLeastFall * curvature * along;
   };
   const auto crossing = [&](std::uint32_t a, std::uint32_t b, double& t) {
     const Vec3d atA = toMore(a), atB = toMore(b);
@@ -204,7 +203,8 @@ ContourLines suggestiveContours(const CurvedSurface& surface, const EdgeTable& t
 {
   const RadialField field(surface, camera, modelToWorld);
   const BoundedCurves bounded(bounds, camera, modelToWorld);
-  const double size = bounds.boxes.empty() ? featureSize(surface.mesh) : bounds.featureSize;
+  const double size =
+      bounds.boxes.empty() ? featureSize(surface.mesh, threads) : bounds.featureSize;
   const double least = thresholds.suggestive / (size * size);
   const auto crossing = [&](const RadialCurvature& a, const RadialCurvature& b, double& t) {
     if ((a.radial >= 0) == (b.radial >= 0)) return false;

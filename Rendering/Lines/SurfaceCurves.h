@@ -19,8 +19,9 @@ enum class ExtremeKind : std::uint8_t { kRidge, kValley };
 /// 2004): D_1 k_1 = 0, a maximum with k_1 > 0 at a ridge, a minimum with k_1 < 0 in a valley. Only
 /// where |k_1| falls by 2 % or more of itself within a feature size: less is rounding's work, as on
 /// cylinders and tori. Does not depend on the view.
+/// `featureSize` is that of the mesh.
 ContourLines extremeLines(const CurvedSurface& surface, const EdgeTable& table, ExtremeKind kind,
-                          const CurveThresholds& thresholds, int threads);
+                          const CurveThresholds& thresholds, double featureSize, int threads);
 
 /// Where the surface would have a contour from a view nearby (DeCarlo et al. 2003): the curvature
 /// k_r along the view, projected into the surface, is 0 and grows towards the viewer. None where

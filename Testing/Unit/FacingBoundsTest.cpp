@@ -191,6 +191,56 @@ TEST(FacingBounds, KnowOfFacesThatAreNotWoundAlike)
             2u);
 }
 
+void expectSame(const FacingBounds& a, const FacingBounds& b)
+{
+  ASSERT_EQ(a.boxes.size(), b.boxes.size());
+  for (std::size_t i = 0; i < a.boxes.size(); ++i) {
+    EXPECT_TRUE(std::equal(a.boxes[i].middle, a.boxes[i].middle + 4, b.boxes[i].middle)) << i;
+    EXPECT_TRUE(std::equal(a.boxes[i].half, a.boxes[i].half + 4, b.boxes[i].half)) << i;
+  }
+}
+
+// A normal may be that of one corner, or of many at several vertices.
+TEST(FacingBounds, DoNotDependOnHowNormalsAreNumbered)
+{
+  for (const GeneratedMesh& mesh : {cube(), gear(9, 0.4), torus(90, 50, 1, 0.4)}) {
+    Model model(mesh);
+    model.build();
+    std::vector<Vec3f> ofCorners, once;
+    std::vector<std::uint32_t> corners, numbers;
+    for (const std::uint32_t number : model.split.ofCorner) {
+      const Vec3f normal = model.split.normals[number];
+      corners.push_back(static_cast<std::uint32_t>(ofCorners.size()));
+      ofCorners.push_back(normal);
+      const auto known = std::find(once.begin(), once.end(), normal);
+      numbers.push_back(static_cast<std::uint32_t>(known - once.begin()));
+      if (known == once.end()) once.push_back(normal);
+    }
+    const auto bounds = [&](Span<const Vec3f> normals, Span<const std::uint32_t> ofCorner) {
+      FeatureArrays arrays;
+      arrays.vertexNormals = normals;
+      arrays.normalOfCorner = ofCorner;
+      return boundNormals(model.view(), model.table, arrays, 2);
+    };
+    expectSame(bounds(ofCorners, corners), model.normalBounds);
+    expectSame(bounds(once, numbers), model.normalBounds);
+  }
+}
+
+TEST(FacingBounds, OfEndsAreThoseOfNormalsThatVerticesHave)
+{
+  Model model(torus(90, 50, 1, 0.4));
+  model.build();
+  for (Triangle& triangle : model.triangles)
+    for (std::uint32_t& vertex : triangle.vertex)
+      vertex = model.table.place[vertex];
+  model.build();
+  FeatureArrays arrays;
+  arrays.vertexNormals = model.normals;
+  expectSame(boundEnds(model.view(), finiteBox(model.view()), model.table, model.normals, 2),
+             boundNormals(model.view(), model.table, arrays, 2));
+}
+
 // Or they would be of no use.
 TEST(FacingBounds, LeaveOutMostOfASmoothMesh)
 {

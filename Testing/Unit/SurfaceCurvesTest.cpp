@@ -32,7 +32,7 @@ struct Curved {
   CurvedSurface surface() const { return {mesh.view(), normals, curvature}; }
   ContourLines extremes(ExtremeKind kind) const
   {
-    return extremeLines(surface(), table, kind, {}, 2);
+    return extremeLines(surface(), table, kind, {}, featureSize(mesh.view()), 2);
   }
   ContourLines suggestive(const Stage& stage) const
   {
@@ -190,10 +190,10 @@ TEST(Ridges, AreWhereTheSurfaceBendsMoreThanTheThreshold)
 {
   const Polyhedron mesh = extrudedSine();
   const Curved sine(mesh, normalsOfSine(mesh));
-  const double bend = kHeight * kWave * kWave * featureSize(mesh.view());
+  const double size = featureSize(mesh.view()), bend = kHeight * kWave * kWave * size;
   for (const ExtremeKind kind : {ExtremeKind::kRidge, ExtremeKind::kValley}) {
     const auto lines = [&](double threshold) {
-      return extremeLines(sine.surface(), sine.table, kind, {threshold, 0.01}, 2);
+      return extremeLines(sine.surface(), sine.table, kind, {threshold, 0.01}, size, 2);
     };
     EXPECT_FALSE(lines(0.9 * bend).chains.empty());
     EXPECT_TRUE(lines(1.1 * bend).chains.empty());

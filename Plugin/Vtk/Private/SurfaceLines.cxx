@@ -7,7 +7,7 @@
 
 #include "vtkLimnProperty.h"
 
-#include "Rendering/Base/Executor.h"
+#include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Lines/Terminator.h"
 
 #include "vtkDataArray.h"
@@ -183,20 +183,24 @@ MeshView SurfaceLines::weldedMesh(const MeshView& mesh) const
   return { mesh.positions, mesh.precisePositions, weldedTriangles_ };
 }
 
-void SurfaceLines::weld(const MeshView& mesh)
+void SurfaceLines::weld(const MeshView& mesh, int threads)
 {
   if (!weldedTriangles_.empty())
   {
     return;
   }
-  weldedTriangles_.assign(mesh.triangles.begin(), mesh.triangles.end());
-  for (Triangle& triangle : weldedTriangles_)
-  {
-    for (std::uint32_t& vertex : triangle.vertex)
+  constexpr std::size_t kPerTask = 16384;
+  weldedTriangles_.resize(mesh.triangles.size());
+  parallelForEach(threads, weldedTriangles_.size(), kPerTask,
+    [&](std::size_t t)
     {
-      vertex = vertex < table_.place.size() ? table_.place[vertex] : vertex;
-    }
-  }
+      Triangle& triangle = weldedTriangles_[t];
+      triangle = mesh.triangles[t];
+      for (std::uint32_t& vertex : triangle.vertex)
+      {
+        vertex = vertex < table_.place.size() ? table_.place[vertex] : vertex;
+      }
+    });
 }
 
 void SurfaceLines::updateCurvature(
@@ -212,7 +216,7 @@ void SurfaceLines::updateCurvature(
   ridges_.reset();
   valleys_.reset();
   strokes_.reset();
-  this->weld(instance.mesh);
+  this->weld(instance.mesh, threads);
   const MeshView mesh = this->weldedMesh(instance.mesh);
   if (hasNormals)
   {
@@ -228,6 +232,7 @@ void SurfaceLines::updateCurvature(
   }
   curvature_ = vertexCurvature(mesh, smoothNormals_, threads);
   curveBounds_ = {};
+  featureSize_ = featureSize(mesh, threads);
 }
 
 CurvedSurface SurfaceLines::curved(const MeshView& mesh) const
@@ -241,7 +246,7 @@ Status SurfaceLines::updateNormals(double creaseDegrees, const Instance& instanc
   {
     return {};
   }
-  this->weld(instance.mesh);
+  this->weld(instance.mesh, threads);
   const Status status = splitVertexNormals(this->weldedMesh(instance.mesh),
     instance.attributes.cells, NormalWeight::kAngle, creaseDegrees, threads, normals_);
   normalsDegrees_ = status.ok() ? creaseDegrees : -1;
@@ -374,7 +379,7 @@ void SurfaceLines::addCurves(vtkLimnProperty* property, vtkPolyData* data, const
     if (!kept)
     {
       kept = std::make_shared<const ContourLines>(
-        extremeLines(surface, table_, kind, thresholds, view.threads));
+        extremeLines(surface, table_, kind, thresholds, featureSize_, view.threads));
     }
     frame.contours.push_back(kept);
   };

@@ -95,7 +95,7 @@ private:
     const Choice& choice, vtkDataArray* idArray, const Instance& instance, int threads);
   Status updateNormals(double creaseDegrees, const Instance& instance, int threads);
   MeshView weldedMesh(const MeshView& mesh) const;
-  void weld(const MeshView& mesh);
+  void weld(const MeshView& mesh, int threads);
   void updateCurvature(const NormalsVersion& normals, const Instance& instance, int threads);
   CurvedSurface curved(const MeshView& mesh) const;
   FeatureArrays contourArrays() const;
@@ -123,13 +123,14 @@ private:
   FacingBounds faceBounds_; ///< empty until silhouettes are asked for
   Choice choice_;
   std::shared_ptr<const EdgeChains> features_;
-  std::vector<Triangle> weldedTriangles_;
+  Array<Triangle> weldedTriangles_;
   double normalsDegrees_ = -1;
   SplitNormals normals_; ///< of the welded mesh, split where lines are creases
   FacingBounds normalBounds_;
   std::vector<Vec3f> smoothNormals_;
   NormalsVersion curvedNormals_;
   Array<VertexCurvature> curvature_;
+  double featureSize_ = 0; ///< of the surface that bends so
   CurveBounds curveBounds_; ///< of it; empty until suggestive contours are asked for
   std::shared_ptr<const ContourLines> ridges_, valleys_;
   double ridgeThreshold_ = -1; ///< of these
