@@ -5,6 +5,7 @@
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Lines/Facing.h"
 #include "Rendering/Lines/FindCrossings.h"
+#include "Rendering/Mesh/FetchPosition.h"
 #include "Rendering/Mesh/RecentValues.h"
 
 #include <algorithm>
@@ -67,12 +68,8 @@ void findTurning(const EdgeTable& table, const BoundedFacing& facing, std::size_
 /// Begins to read the places of an edge's ends and its triangles.
 void fetchEdge(const MeshView& mesh, const MeshEdge& edge)
 {
-  for (const std::uint32_t vertex : edge.vertex) {
-    if (mesh.positions.empty())
-      prefetch(mesh.precisePositions.data() + vertex);
-    else
-      prefetch(mesh.positions.data() + vertex);
-  }
+  for (const std::uint32_t vertex : edge.vertex)
+    fetchPosition(mesh, vertex);
   for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
     prefetch(mesh.triangles.data() + edge.corner[f] / 3);
 }

@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Mesh/EdgesAhead.h"
+#include "Rendering/Mesh/FetchPosition.h"
 #include "Rendering/Mesh/LocalPosition.h"
 #include "Rendering/Mesh/RecentValues.h"
 

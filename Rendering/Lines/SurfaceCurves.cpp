@@ -3,8 +3,8 @@
 #include "Rendering/Lines/SurfaceCurves.h"
 
 #include "Rendering/Base/ParallelStretches.h"
+#include "Rendering/Mesh/FetchPosition.h"
 #include "Rendering/Mesh/RecentValues.h"
-#include "Rendering/Mesh/LocalPosition.h"
 
 #include <algorithm>
 #include <cmath>
@@ -123,10 +123,7 @@ class RadialField {
     for (const std::uint32_t vertex : edge.vertex) {
       prefetch(surface_.normals.data() + vertex);
       prefetch(surface_.curvature.data() + vertex);
-      if (surface_.mesh.positions.empty())
-        prefetch(surface_.mesh.precisePositions.data() + vertex);
-      else
-        prefetch(surface_.mesh.positions.data() + vertex);
+      fetchPosition(surface_.mesh, vertex);
     }
   }
 

@@ -4,8 +4,8 @@
 
 #include "Rendering/Base/Array.h"
 #include "Rendering/Base/ParallelStretches.h"
-#include "Rendering/Base/Prefetch.h"
 #include "Rendering/Mesh/CornerLists.h"
+#include "Rendering/Mesh/FetchPosition.h"
 
 #include <algorithm>
 #include <array>
@@ -140,7 +140,7 @@ class CurvatureEstimator {
   Array<VertexCurvature> estimate()
   {
     const std::size_t vertices = mesh_.vertexCount();
-    forEachTriangle([&](std::uint32_t v) { fetchPlace(v), prefetch(normals_.data() + v); },
+    forEachTriangle([&](std::uint32_t v) { prefetch(normals_.data() + v); },
                     [&](std::size_t t) { fitTensor(t); });
     const CornerLists corners(mesh_, threads_, [this](std::size_t t) { return isProper_[t] != 0; });
     forEachVertex(corners, [&](std::size_t v) {
@@ -148,7 +148,7 @@ class CurvatureEstimator {
       bend.frame = firstFrame(v);
       turnToPrincipal(mean<Tensor>(corners.of(v), bend.frame), bend);
     });
-    forEachTriangle([&](std::uint32_t v) { fetchPlace(v), prefetch(bends_.data() + v); },
+    forEachTriangle([&](std::uint32_t v) { prefetch(bends_.data() + v); },
                     [&](std::size_t t) {
                       if (isProper_[t] != 0) fitSlope(t);
                     });
@@ -168,14 +168,7 @@ class CurvatureEstimator {
   }
 
  private:
-  void fetchPlace(std::uint32_t v) const
-  {
-    if (mesh_.positions.empty())
-      prefetch(mesh_.precisePositions.data() + v);
-    else
-      prefetch(mesh_.positions.data() + v);
-  }
-  /// Calls visit(number), and fetch(vertex) a while before for each of the triangle's.
+  /// Calls visit(number), and a while before fetches where its vertices lie, and fetch(vertex).
   template <class Fetch, class Visit>
   void forEachTriangle(const Fetch& fetch, const Visit& visit) const
   {
@@ -186,7 +179,10 @@ class CurvatureEstimator {
                            for (std::size_t t = begin; t < end; ++t) {
                              if (t + kAhead < end)
                                for (const std::uint32_t v : mesh_.triangles[t + kAhead].vertex)
-                                 if (v < vertices) fetch(v);
+                                 if (v < vertices) {
+                                   fetchPosition(mesh_, v);
+                                   fetch(v);
+                                 }
                              visit(t);
                            }
                          });

@@ -5,6 +5,7 @@
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
 #include "Rendering/Mesh/EdgesAhead.h"
+#include "Rendering/Mesh/FetchPosition.h"
 #include "Rendering/Mesh/HalfEdges.h"
 #include "Rendering/Mesh/RecentValues.h"
 #include "Rendering/Mesh/WeldVertices.h"

@@ -2,21 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Rendering/Base/Prefetch.h"
 #include "Rendering/Mesh/EdgeTable.h"
 
 #include <cstddef>
 
 namespace limn {
-
-/// Begins to read where a vertex lies.
-inline void fetchPosition(const MeshView& mesh, std::size_t vertex)
-{
-  if (mesh.positions.empty())
-    prefetch(mesh.precisePositions.data() + vertex);
-  else
-    prefetch(mesh.positions.data() + vertex);
-}
 
 /// Calls body(corner) for the corners that name an edge's faces, of which there are one or two.
 template <class Body>

@@ -6,7 +6,7 @@
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
 #include "Rendering/Mesh/CornerLists.h"
-#include "Rendering/Mesh/EdgesAhead.h"
+#include "Rendering/Mesh/FetchPosition.h"
 
 #include <algorithm>
 #include <limits>
