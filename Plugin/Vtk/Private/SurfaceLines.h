@@ -130,7 +130,7 @@ private:
   std::vector<Vec3f> smoothNormals_;
   NormalsVersion curvedNormals_;
   Array<VertexCurvature> curvature_;
-  double featureSize_ = 0; ///< of the surface that bends so
+  double featureSize_ = 0;  ///< of the surface that bends so
   CurveBounds curveBounds_; ///< of it; empty until suggestive contours are asked for
   std::shared_ptr<const ContourLines> ridges_, valleys_;
   double ridgeThreshold_ = -1; ///< of these
