@@ -36,7 +36,7 @@ struct CurvatureBox {
 /// have no suggestive contour: seen from behind, or with a curvature along the view, v^T K v, of
 /// one sign. None, and nothing is left out, while `boxes` is empty.
 struct CurveBounds {
-  FacingBounds facing;  ///< boundNormals()
+  FacingBounds facing;  ///< boundEnds()
   std::vector<CurvatureBox> boxes;
   std::vector<std::uint8_t> isConvex;  ///< by box: v^T K v is not negative from anywhere
   double featureSize = 0;

@@ -33,7 +33,7 @@ struct FacingBounds {
 };
 
 /// Planes of the faces at edges that are shared, the second turned over where it is not wound
-/// alike. The same on any number of threads, as are those of boundNormals().
+/// alike. The same on any number of threads, as are those of the two below.
 FacingBounds boundFaces(const MeshView& mesh, const EdgeTable& table, int threads);
 
 /// Planes through the ends of edges, by the vertex normals that the faces there have.

@@ -8,8 +8,8 @@
 namespace limn {
 namespace {
 
-/// How many pixels away those edges may be, how far their normals may be turned, and how far off
-/// their line the end may lie.
+/// How many pixels away the edges before an end may be, how far their normals may be turned, and
+/// how far off their line the end may lie.
 constexpr int kReach = 6;
 constexpr float kSameWay = 0.7f;
 constexpr float kSameBorder = 1.0f;

@@ -237,7 +237,7 @@ class CurvatureEstimator {
   static Edges edgesOf(const Corners& p) { return {p[2] - p[1], p[0] - p[2], p[1] - p[0]}; }
   static Face planeOf(const Edges& edge)
   {
-    Face face;
+    Face face = {};
     const Vec3d normal = normalized(cross(edge[0], edge[1]));
     face.frame.u = normalized(edge[0]);
     face.frame.v = cross(normal, face.frame.u);

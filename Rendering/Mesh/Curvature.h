@@ -5,8 +5,6 @@
 #include "Rendering/Base/Array.h"
 #include "Rendering/Mesh/MeshView.h"
 
-#include <vector>
-
 namespace limn {
 
 /// How a surface bends at a vertex. Curvatures are positive where it bulges outwards.

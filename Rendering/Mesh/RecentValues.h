@@ -14,6 +14,7 @@ class RecentValues {
  public:
   RecentValues() { std::fill(number_, number_ + kCount, kNone); }
 
+  /// Whether at() knows it without finding it.
   bool has(std::uint32_t number) const { return number_[number % kCount] == number; }
   /// What `find(number)` gave or gives. Until the next call.
   template <class Find>

@@ -30,16 +30,17 @@ ItemsByVertex<Item> sortByVertex(std::size_t vertexCount, std::size_t elementCou
 {
   // First into buckets of vertices in a row, then by vertex in each, where all that is written to
   // fits the caches, in whatever order the elements name the vertices.
-  constexpr std::size_t kManyBuckets = 1024, kPerTask = 65536;
+  constexpr std::size_t kManyBuckets = 1024, kManyTasks = 1024, kLeastPerTask = 65536;
+  const std::size_t perTask = std::max(kLeastPerTask, elementCount / kManyTasks + 1);
   unsigned shift = 10;
   while (shift < 16 && (vertexCount >> shift) >= kManyBuckets)
     ++shift;
   const std::size_t buckets = (vertexCount >> shift) + 1;
-  const std::size_t tasks = stretchCount(elementCount, kPerTask);
+  const std::size_t tasks = stretchCount(elementCount, perTask);
   // For each task and bucket, first a number of items and then the place of the next.
   std::vector<std::uint32_t> next(tasks * buckets);
   parallelForStretches(
-      threads, elementCount, kPerTask, [&](std::size_t task, std::size_t begin, std::size_t end) {
+      threads, elementCount, perTask, [&](std::size_t task, std::size_t begin, std::size_t end) {
         std::uint32_t* const count = next.data() + task * buckets;
         forEachOf(begin, end, [&](std::size_t vertex, const Item&) { ++count[vertex >> shift]; });
       });
@@ -58,7 +59,7 @@ ItemsByVertex<Item> sortByVertex(std::size_t vertexCount, std::size_t elementCou
   sorted.items.resize(all);
   Array<std::uint16_t> vertexOf(all);  // within the bucket
   const std::size_t mask = (std::size_t{1} << shift) - 1;
-  parallelForStretches(threads, elementCount, kPerTask,
+  parallelForStretches(threads, elementCount, perTask,
                        [&](std::size_t task, std::size_t begin, std::size_t end) {
                          std::uint32_t* const place = next.data() + task * buckets;
                          forEachOf(begin, end, [&](std::size_t vertex, const Item& item) {

@@ -190,17 +190,18 @@ void SurfaceLines::weld(const MeshView& mesh, int threads)
     return;
   }
   constexpr std::size_t kPerTask = 16384;
-  weldedTriangles_.resize(mesh.triangles.size());
-  parallelForEach(threads, weldedTriangles_.size(), kPerTask,
+  Array<Triangle> welded(mesh.triangles.size());
+  parallelForEach(threads, welded.size(), kPerTask,
     [&](std::size_t t)
     {
-      Triangle& triangle = weldedTriangles_[t];
+      Triangle& triangle = welded[t];
       triangle = mesh.triangles[t];
       for (std::uint32_t& vertex : triangle.vertex)
       {
         vertex = vertex < table_.place.size() ? table_.place[vertex] : vertex;
       }
     });
+  weldedTriangles_ = std::move(welded);
 }
 
 void SurfaceLines::updateCurvature(
@@ -212,7 +213,8 @@ void SurfaceLines::updateCurvature(
   {
     return;
   }
-  curvedNormals_ = normals;
+  // Until all of it is there, none counts: memory may run out.
+  curvature_.clear();
   ridges_.reset();
   valleys_.reset();
   strokes_.reset();
@@ -230,9 +232,10 @@ void SurfaceLines::updateCurvature(
   {
     smoothNormals_ = limn::vertexNormals(mesh, NormalWeight::kArea);
   }
-  curvature_ = vertexCurvature(mesh, smoothNormals_, threads);
   curveBounds_ = {};
   featureSize_ = featureSize(mesh, threads);
+  curvature_ = vertexCurvature(mesh, smoothNormals_, threads);
+  curvedNormals_ = normals;
 }
 
 CurvedSurface SurfaceLines::curved(const MeshView& mesh) const
