@@ -84,6 +84,13 @@ class PointGrid {
   std::vector<Link> entries_;
 };
 
+/// Strokes keep apart from those on the same side: where nothing tells the sides, all of them would
+/// run beside each other without end.
+bool hasSides(Vec3d normal)
+{
+  return dot(normal, normal) > 0;  // not of NaN
+}
+
 /// One family of strokes.
 class FamilyTracer {
  public:
@@ -141,7 +148,7 @@ class FamilyTracer {
   void traceFrom(const WalkPoint& seed, double apart)
   {
     const Vec3d normal = walk_.normalAt(seed);
-    if (grid_->isNear(seed.position - origin_, normal, apart * distance_) ||
+    if (!hasSides(normal) || grid_->isNear(seed.position - origin_, normal, apart * distance_) ||
         tried_->isNear(seed.position - origin_, normal, kTried * distance_))
       return;
     Course course = follow(seed, {1, 0}, nullptr);
@@ -202,6 +209,7 @@ class FamilyTracer {
       // To a border strokes go.
       if (!isOn && !(dot(moved, moved) > 1e-6 * strokes_.step * strokes_.step)) break;
       const Vec3d normal = walk_.normalAt(at), p = at.position - origin_;
+      if (!hasSides(normal)) break;
       if (points.size() > turn && closes(at, seed, first, course)) break;
       if (grid_->isNear(p, normal, kNearest * distance_) ||
           own.isNear(p, normal, kNearest * distance_))

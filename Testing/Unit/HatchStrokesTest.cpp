@@ -6,6 +6,9 @@
 #include "Rendering/Lines/CurveBounds.h"
 #include "Testing/Unit/HatchedMesh.h"
 
+#include <cmath>
+#include <limits>
+
 namespace limn::testing {
 namespace {
 
@@ -68,6 +71,24 @@ TEST(HatchStrokes, DoNotDependOnPointsThatNoFaceUses)
       for (std::size_t i = 0; i < plain.strokes.points.size(); ++i)
         ASSERT_TRUE(hatched.strokes.points[i] == plain.strokes.points[i]);
     }
+  }
+}
+
+// Those of the data may be anything.
+TEST(HatchStrokes, EndWhereNormalsTellNoSides)
+{
+  const Polyhedron& mesh = ring().mesh;
+  const float infinite = std::numeric_limits<float>::infinity();
+  for (const float part : {0.0f, std::nanf(""), infinite}) {
+    const std::vector<Vec3f> unusable(mesh.positions.size(), Vec3f{0, part, part});
+    EXPECT_EQ(Hatched(mesh, unusable).strokes.strokeCount(), 0u) << part;
+    std::vector<Vec3f> some = ring().normals;
+    for (std::size_t v = 0; v < some.size() / 2; ++v)
+      some[v] = unusable[v];
+    const HatchStrokes strokes = Hatched(mesh, some).strokes;
+    EXPECT_GT(strokes.strokeCount(), 50u) << part;
+    for (const Vec3f normal : strokes.normals)
+      ASSERT_NEAR(dot(normal, normal), 1, 1e-5) << part;
   }
 }
 

@@ -223,9 +223,20 @@ void SurfaceLines::updateCurvature(
   if (hasNormals)
   {
     smoothNormals_.resize(mesh.vertexCount());
+    bool areUsable = true;
+    const auto isUsable = [](Vec3f unit) { return dot(unit, unit) > 0; };
     for (std::size_t v = 0; v < smoothNormals_.size(); ++v)
     {
       smoothNormals_[v] = normalized(attributes.vertexNormals[v]);
+      areUsable = areUsable && isUsable(smoothNormals_[v]);
+    }
+    if (!areUsable)
+    {
+      const std::vector<Vec3f> own = limn::vertexNormals(mesh, NormalWeight::kArea);
+      for (std::size_t v = 0; v < own.size(); ++v)
+      {
+        smoothNormals_[v] = isUsable(smoothNormals_[v]) ? smoothNormals_[v] : own[v];
+      }
     }
   }
   else
