@@ -48,8 +48,8 @@ inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
 /// on its side. Antialiased by the share of the pixel that the line covers. A line is drawn in the
 /// pixels of its surface: those from which a straight way to it crosses no step by kPlane and no
 /// other instance; and in pixels that a surface shares with another one's border as if it filled
-/// them, as far as it does. Where a border goes behind another surface, or out of the frame, its
-/// line goes straight on, for as many pixels as it is wide and two more.
+/// them, as far as it does. Where a border goes behind another surface, its line goes straight
+/// on, for as many pixels as it is wide and two more; so does a straight one out of the frame.
 struct ImageOutline {
   /// Steps in fewer pixels that touch each other are specks, and left out; but for those that touch
   /// a border. Where normals differ they count as creases, so that a crease's line is one though
