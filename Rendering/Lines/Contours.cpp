@@ -5,6 +5,7 @@
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Lines/Facing.h"
 #include "Rendering/Lines/FindCrossings.h"
+#include "Rendering/Mesh/EdgesAhead.h"
 #include "Rendering/Mesh/FetchPosition.h"
 #include "Rendering/Mesh/RecentValues.h"
 
@@ -70,8 +71,7 @@ void fetchEdge(const MeshView& mesh, const MeshEdge& edge)
 {
   for (const std::uint32_t vertex : edge.vertex)
     fetchPosition(mesh, vertex);
-  for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
-    prefetch(mesh.triangles.data() + edge.corner[f] / 3);
+  forEachFace(edge, [&](std::uint32_t corner) { prefetch(mesh.triangles.data() + corner / 3); });
 }
 
 class ContourFinder {
@@ -125,8 +125,8 @@ class ContourFinder {
     for (const std::uint32_t vertex : edge.vertex)
       prefetch(table_.place.data() + vertex);
     if (arrays_.normalOfCorner.empty()) return;
-    for (int f = 0; f < (edge.isShared() ? 2 : 1); ++f)
-      prefetch(arrays_.normalOfCorner.data() + edge.corner[f]);
+    forEachFace(edge,
+                [this](std::uint32_t corner) { prefetch(arrays_.normalOfCorner.data() + corner); });
   }
 
   void add(const MeshEdge& edge, Fronts& fronts, PendingPoints& pending, EdgeContours& found) const
@@ -187,7 +187,7 @@ class ContourFinder {
   EdgeSide side(const MeshEdge& edge, int face, Fronts& fronts) const
   {
     const std::uint32_t corner = edge.corner[face];
-    const std::uint32_t next = corner % 3 == 2 ? corner - 2 : corner + 1;
+    const std::uint32_t next = nextCorner(corner);
     const bool isForward = table_.runsForward(mesh_, edge, face);
     EdgeSide result;
     result.corner[0] = isForward ? corner : next;

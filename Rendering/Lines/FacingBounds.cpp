@@ -199,18 +199,18 @@ class NormalAdder {
   {
     forEachFace(edge, [this](std::uint32_t corner) {
       fetchAt(corner);
-      fetchAt(next(corner));
+      fetchAt(nextCorner(corner));
     });
   }
   void add(std::size_t e, BoxBuilder& box)
   {
     const MeshEdge& edge = source_.table.edges[e];
-    const VertexNormal first = at(edge.corner[0]), second = at(next(edge.corner[0]));
+    const VertexNormal first = at(edge.corner[0]), second = at(nextCorner(edge.corner[0]));
     add(first, box);
     add(second, box);
     if (!edge.isShared()) return;
     // The second face has the same ones where the surface is smooth.
-    for (const std::uint32_t corner : {edge.corner[1], next(edge.corner[1])})
+    for (const std::uint32_t corner : {edge.corner[1], nextCorner(edge.corner[1])})
       if (const VertexNormal one = at(corner); !(one == first) && !(one == second)) add(one, box);
   }
 
@@ -228,10 +228,6 @@ class NormalAdder {
     Plane plane;
   };
 
-  static std::uint32_t next(std::uint32_t corner)
-  {
-    return corner % 3 == 2 ? corner - 2 : corner + 1;
-  }
   std::uint32_t vertexOf(std::uint32_t corner) const
   {
     return source_.mesh.triangles[corner / 3].vertex[corner % 3];

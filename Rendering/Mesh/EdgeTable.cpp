@@ -181,10 +181,6 @@ class KindFinder {
     constexpr double kCosineOfOneDegree = 0.99984769515639124;
     return dot(a, b) < kCosineOfOneDegree * std::sqrt(dot(a, a)) * std::sqrt(dot(b, b));
   }
-  static std::uint32_t nextCorner(std::uint32_t corner)
-  {
-    return corner % 3 == 2 ? corner - 2 : corner + 1;
-  }
   bool splitsNormals(const MeshEdge& edge) const
   {
     if (arrays_.vertexNormals.empty()) return false;

@@ -23,6 +23,12 @@ struct MeshEdge {
   bool isShared() const { return faceCount > 1; }
 };
 
+/// Where a triangle's edge from a corner ends.
+inline std::uint32_t nextCorner(std::uint32_t corner)
+{
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+
 /// The edges of a mesh whose vertices are welded, in the order of their places. Triangles with a
 /// vertex out of range, not finite, or two corners in one place are left out.
 struct EdgeTable {

@@ -53,21 +53,17 @@ class Numbering {
     return isParted() ? ofCorner_[corner]
                       : table_.place[mesh_.triangles[corner / 3].vertex[corner % 3]];
   }
-  static std::uint32_t next(std::uint32_t corner)
-  {
-    return corner % 3 == 2 ? corner - 2 : corner + 1;
-  }
   /// The corner of an edge's second face where its first one sets out along it.
   std::uint32_t facing(std::size_t e) const
   {
     const std::uint32_t other = table_.edges[e].corner[1];
-    return table_.woundAlike[e] != 0 ? next(other) : other;
+    return table_.woundAlike[e] != 0 ? nextCorner(other) : other;
   }
   /// Likewise where the first one arrives.
   std::uint32_t facingEnd(std::size_t e) const
   {
     const std::uint32_t other = table_.edges[e].corner[1];
-    return table_.woundAlike[e] != 0 ? other : next(other);
+    return table_.woundAlike[e] != 0 ? other : nextCorner(other);
   }
   std::vector<std::uint32_t> take() { return std::move(ofCorner_); }
 
@@ -81,7 +77,7 @@ class Numbering {
       const MeshEdge& edge = table_.edges[e];
       if (!edge.isShared() || isCrease[e] != 0) continue;
       join(edge.corner[0], facing(e));
-      join(next(edge.corner[0]), facingEnd(e));
+      join(nextCorner(edge.corner[0]), facingEnd(e));
     }
     // A root is the lowest of its corners, so that those before have their number.
     std::uint32_t number = 0;
@@ -189,7 +185,7 @@ class HeatFlow {
       double sum = halfCotangent(corner);
       if (table_.edges[e].isShared() && !isApart(e))
         sum += halfCotangent(table_.edges[e].corner[1]);
-      links_[e] = {{numbering_(corner), numbering_(Numbering::next(corner))}, conducting(sum)};
+      links_[e] = {{numbering_(corner), numbering_(nextCorner(corner))}, conducting(sum)};
     });
     if (!numbering_.isParted()) return;
     for (std::size_t e = 0; e < table_.edges.size(); ++e)
@@ -202,7 +198,7 @@ class HeatFlow {
     if (!numbering_.isParted()) return false;
     const std::uint32_t corner = table_.edges[e].corner[0];
     return numbering_(corner) != numbering_(numbering_.facing(e)) ||
-           numbering_(Numbering::next(corner)) != numbering_(numbering_.facingEnd(e));
+           numbering_(nextCorner(corner)) != numbering_(numbering_.facingEnd(e));
   }
 
   void makeStencil()
