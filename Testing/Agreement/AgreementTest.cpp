@@ -16,18 +16,11 @@
 namespace limn {
 namespace {
 
+using testing::drawn;
 using testing::Picture;
 using testing::RandomScene;
 
 constexpr std::uint32_t kScenes = 400;
-
-Picture drawn(const RandomScene& random, const RenderOptions& options)
-{
-  Picture picture = random.canvas();
-  const Status status = render(random.scene(), picture.frame(random.background()), options);
-  EXPECT_TRUE(status.ok()) << status.message;
-  return picture;
-}
 
 Picture drawnWithoutShaders(const RandomScene& random)
 {

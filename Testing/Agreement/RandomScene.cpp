@@ -5,6 +5,8 @@
 #include "Rendering/Mesh/MoveVertices.h"
 #include "Testing/Agreement/RandomShaders.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -1023,6 +1025,14 @@ void RandomScene::addShaders(Random random)
     shaders_.push_back(std::make_unique<RandomSurfaceShader>(random));
     instance.style.surfaceShader = shaders_.back().get();
   }
+}
+
+Picture drawn(const RandomScene& random, const RenderOptions& options)
+{
+  Picture picture = random.canvas();
+  const Status status = render(random.scene(), picture.frame(random.background()), options);
+  EXPECT_TRUE(status.ok()) << status.message;
+  return picture;
 }
 
 }  // namespace limn::testing

@@ -172,4 +172,7 @@ class RandomScene {
   PostEffects effects_;
 };
 
+/// Of the scene on its canvas. Expects that it can be drawn.
+Picture drawn(const RandomScene& random, const RenderOptions& options);
+
 }  // namespace limn::testing

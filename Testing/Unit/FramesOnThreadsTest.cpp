@@ -9,16 +9,9 @@
 namespace limn {
 namespace {
 
+using testing::drawn;
 using testing::Picture;
 using testing::RandomScene;
-
-Picture drawn(const RandomScene& random, const RenderOptions& options)
-{
-  Picture picture = random.canvas();
-  const Status status = render(random.scene(), picture.frame(random.background()), options);
-  EXPECT_TRUE(status.ok()) << status.message;
-  return picture;
-}
 
 TEST(Threads, AnyNumberDrawsTheSamePicture)
 {
