@@ -543,6 +543,41 @@ void checkHatchedCube()
   CHECK(coverage(bare, 120, 180) != flat);
 }
 
+/// Strokes where the data's normals are nobody's: those of the surface itself.
+void checkHatchingOfUnusableNormals()
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(28);
+  sphere->SetThetaResolution(64);
+  sphere->SetPhiResolution(64);
+  sphere->Update();
+  const auto coverage = [&sphere](vtkDataArray* normals)
+  {
+    vtkNew<vtkPolyData> data;
+    data->ShallowCopy(sphere->GetOutput());
+    data->GetPointData()->SetNormals(normals);
+    LineStage stage;
+    stage.Mapper->SetInputData(data);
+    vtkCamera* const camera = stage.Renderer->GetActiveCamera();
+    camera->SetFocalPoint(0, 0, 0);
+    camera->SetPosition(0, -100, 60);
+    camera->SetClippingRange(10, 300);
+    stage.Property->HatchLinesOn();
+    stage.Property->SetHatchSpacing(4);
+    return stage.Coverage();
+  };
+  const double own = coverage(nullptr);
+  CHECK(own > 30);
+  for (const double part : { 0.0, std::nan(""), 1e30 })
+  {
+    vtkNew<vtkDoubleArray> normals;
+    normals->SetNumberOfComponents(3);
+    normals->SetNumberOfTuples(sphere->GetOutput()->GetNumberOfPoints());
+    normals->Fill(part);
+    CHECK_EQUAL(coverage(normals), own);
+  }
+}
+
 /// Of point normals that change after a frame, or before the first.
 void checkChangedNormals()
 {
@@ -676,6 +711,7 @@ int TestLimnLines(int, char*[])
   checkThresholds();
   checkHatching();
   checkHatchedCube();
+  checkHatchingOfUnusableNormals();
   checkChangedNormals();
   checkDashAlone();
   checkTooWide();
