@@ -5,6 +5,7 @@
 // before the other, or they cut each other.
 #include "Rendering/Lines/FindEdges.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace limn {
@@ -29,6 +30,14 @@ constexpr float kFade = 4;
 float clamped(float x)
 {
   return x > 0.0f ? (x < 1.0f ? x : 1.0f) : 0.0f;
+}
+
+/// A vector times the power of two that makes its largest component 1 to 2: its fourth power is a
+/// float's then, whatever the unit of length, and no bit of what does not depend on that changes.
+Vec3f scaledToOne(Vec3f v)
+{
+  const float largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
+  return largest > 0.0f ? v * std::ldexp(1.0f, -std::ilogb(largest)) : v;
 }
 
 }  // namespace
@@ -67,7 +76,7 @@ float EdgeFinder::leanOf(const Pixel& first, const Pixel& second) const
   const float gap = isLined ? gapBetween(first, second) : 1.0f;
   const float whole = gap > 0.0f && isBefore(first, second) ? 0.5f : -0.5f;
   if (!(gap < 1.0f)) return whole;
-  const Vec3f eye = towardEye(first.layer, second.layer);
+  const Vec3f eye = scaledToOne(towardEye(first.layer, second.layer));
   const float more = nearness(first, eye) - nearness(second, eye);
   const float lean = more > -0.5f ? (more < 0.5f ? more : 0.5f) : -0.5f;
   return gap > 0.0f ? lean + (whole - lean) * gap : lean;

@@ -26,11 +26,12 @@ inline Vec3f edge(LocalPosition a, LocalPosition b)
   return vec3Cast<float>(exact(b) - exact(a));
 }
 
-/// The normal of triangle a, b, c: counter-clockwise seen from outside, length twice the area. The
-/// edges are rounded to float, not the corners, so that a small triangle far out keeps its normal.
-inline Vec3f triangleNormal(LocalPosition a, LocalPosition b, LocalPosition c)
+/// The normal of triangle a, b, c: counter-clockwise seen from outside, as long as twice the area
+/// of the triangle times `scale`. The edges are rounded to float, not the corners, so that a small
+/// triangle far out keeps its normal.
+inline Vec3f triangleNormal(LocalPosition a, LocalPosition b, LocalPosition c, float scale)
 {
-  return cross(edge(a, b), edge(a, c));
+  return cross(edge(a, b) * scale, edge(a, c) * scale);
 }
 
 /// An axis-aligned box; empty while low.x > high.x.

@@ -285,7 +285,11 @@ class Outlines {
     const float gap = hasLine ? gapBetween(p, q) : 1.0f;
     const float whole = gap > 0 && ownsEdge(p, q) ? 0.5f : -0.5f;
     if (gap >= 1) return whole;
-    const Vec3f eye = betweenAndEye(layer(p), layer(q));
+    Vec3f eye = betweenAndEye(layer(p), layer(q));
+    // Squares of squares of it must not overflow.
+    int exponent = 0;
+    std::frexp(std::max({std::fabs(eye.x), std::fabs(eye.y), std::fabs(eye.z)}), &exponent);
+    eye = eye * std::ldexp(1.0f, -exponent);
     const float more = nearnessOfOutline(p, eye) - nearnessOfOutline(q, eye);
     const float lean = more > -0.5f ? std::min(more, 0.5f) : -0.5f;
     return gap > 0 ? lean + (whole - lean) * gap : lean;
@@ -303,7 +307,7 @@ class Outlines {
     const float cosine = dot(layer(p).plane, eye);
     const float steep = 2.0f - cosine * cosine * 290.0f / dot(eye, eye);
     const float inverse = inverseDistanceOfOutline(p, eye);
-    // Of what is no number, so far out that squares overflow, the normals tell.
+    // Of what is no number the normals tell.
     return (steep > inverse ? std::min(steep, 1.0f) : inverse) * 1.5f;
   }
   /// The square of the normal's cosine is 1 - (r/R)^2 on a sphere, r from the outline's middle. The

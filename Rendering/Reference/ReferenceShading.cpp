@@ -548,7 +548,11 @@ class Face {
     }
   }
 
-  Vec3f planeNormal() const { return facing(triangleNormal(corner(0), corner(1), corner(2))); }
+  Vec3f planeAcross() const
+  {
+    return triangleNormal(corner(0), corner(1), corner(2), transform_.edgeScale);
+  }
+  Vec3f planeNormal() const { return facing(planeAcross()); }
   /// The mixed normal of the pixel, from the style's source.
   Vec3f pixelNormal() const
   {
@@ -620,7 +624,7 @@ class Face {
     if (style.normals == NormalSource::kCell) return normalized(data.cellNormals[cell_]);
     if (style.normals == NormalSource::kVertex)
       return normalized(mix(point_, vertexNormal(0), vertexNormal(1), vertexNormal(2)));
-    return normalized(triangleNormal(corner(0), corner(1), corner(2)));
+    return normalized(planeAcross());
   }
   std::uint32_t cell() const { return cell_; }
   Vec3f facePosition() const

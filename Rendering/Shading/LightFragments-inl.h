@@ -274,7 +274,11 @@ class FragmentLanes {
   {
     return transform_.hasLowParts ? value(batch_.edge[k - 1]) : sub(corner(k), corner(0));
   }
-  Lanes3 acrossEdges() const { return cross(edge(1), edge(2)); }
+  Lanes3 acrossEdges() const
+  {
+    const V scale = set(transform_.edgeScale);
+    return cross(mul(edge(1), scale), mul(edge(2), scale));
+  }
 
   HWY_INLINE Lanes2 cornerUv(const TextureLayer& layer, int k) const
   {

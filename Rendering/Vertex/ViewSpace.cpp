@@ -69,6 +69,15 @@ Mat4f normalMatrix(const Mat4d& localToView)
   return toFloat(cofactor);
 }
 
+float edgeScaleOf(const LocalFrame& frame)
+{
+  const Vec3d size = vec3Cast<double>(frame.high) - vec3Cast<double>(frame.low);
+  const double largest = std::max({size.x, size.y, size.z});
+  if (!(largest > 0)) return 1.0f;
+  constexpr int kMostExponent = 126;  // of both signs, as floats without denormals have it
+  return std::ldexp(1.0f, std::clamp(-std::ilogb(largest), -kMostExponent, kMostExponent));
+}
+
 template <class T>
 ClipPoint clipPointIn(const Mat4<T>& m, Vec3<T> p)
 {
@@ -118,6 +127,7 @@ InstanceTransform makeInstanceTransform(const Camera& camera, const Mat4d& model
   transform.precise = frame.hasLowParts || needsDouble(transform.toClip, camera.viewToClip, frame,
                                                        std::max(width, height));
   transform.hasLowParts = frame.hasLowParts;
+  transform.edgeScale = edgeScaleOf(frame);
   transform.mirrored = determinant3(modelToWorld) < 0;
   return transform;
 }
