@@ -187,19 +187,32 @@ int vtkLimnMeshReader::RequestData(
 //------------------------------------------------------------------------------
 void vtkLimnMeshReader::WarnAboutFaces(vtkIdType numberOfFaces)
 {
-  if (numberOfFaces == 0)
+  const vtkIdType dropped = this->NumberOfDroppedFaces;
+  const vtkIdType nonManifold = this->NumberOfNonManifoldFaces;
+  if (numberOfFaces == 0 && dropped == 0)
   {
     vtkWarningMacro(<< this->FileName << ": the mesh has points only and no faces.");
   }
-  if (this->NumberOfDroppedFaces > 0)
+  else if (numberOfFaces == 0)
   {
-    vtkWarningMacro(<< this->FileName << ": " << this->NumberOfDroppedFaces
-                    << " faces have fewer than three different points and are left out.");
+    vtkWarningMacro(<< this->FileName << ": no face has three different points or more; only the"
+                    << " points are left.");
   }
-  if (this->NumberOfNonManifoldFaces > 0)
+  else if (dropped > 0)
   {
-    vtkWarningMacro(<< this->FileName << ": " << this->NumberOfNonManifoldFaces
-                    << " faces are non-manifold or wound against their neighbours; they are kept.");
+    vtkWarningMacro(<< this->FileName << ": " << dropped
+                    << (dropped == 1
+                           ? " face has fewer than three different points and is left out."
+                           : " faces have fewer than three different points and are left"
+                             " out."));
+  }
+  if (nonManifold > 0)
+  {
+    vtkWarningMacro(<< this->FileName << ": " << nonManifold
+                    << (nonManifold == 1
+                           ? " face is non-manifold or wound against its neighbours; it is kept."
+                           : " faces are non-manifold or wound against their neighbours; they are"
+                             " kept."));
   }
 }
 

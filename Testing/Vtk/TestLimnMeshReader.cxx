@@ -97,8 +97,8 @@ void TestOutput(const std::filesystem::path& folder)
   Check(colors && colors->GetNumberOfComponents() == 4, "RGBA");
   Check(colors && colors->GetTypedComponent(2, 2) == 255, "colour of point 2");
   Check(messages.Errors.empty(), "no error");
-  Check(messages.Warnings.find("1 faces have fewer") != std::string::npos, "dropped face");
-  Check(messages.Warnings.find("1 faces are non-manifold") != std::string::npos, "repeated edge");
+  Check(messages.Warnings.find("1 face has fewer") != std::string::npos, "dropped face");
+  Check(messages.Warnings.find("1 face is non-manifold") != std::string::npos, "repeated edge");
   Check(reader->GetNumberOfDroppedFaces() == 1, "1 dropped");
   Check(reader->GetNumberOfNonManifoldFaces() == 1, "1 non-manifold");
 }
@@ -192,6 +192,21 @@ void TestAbort(const std::filesystem::path& folder)
   Check(messages.Warnings.find("no faces") != std::string::npos, "points only");
 }
 
+/// What of a mesh without an area is left is told once, not also that there were no faces.
+void TestFacesThatAreDropped(const std::filesystem::path& folder)
+{
+  vtkNew<vtkLimnMeshReader> reader;
+  Messages messages(reader);
+  reader->SetFileName(Write(folder / "lines.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\nf 1 1 2\n").c_str());
+  reader->Update();
+  Check(reader->GetNumberOfDroppedFaces() == 2, "2 dropped");
+  Check(messages.Warnings.find("no face has three different points") != std::string::npos,
+    "why there are none");
+  Check(messages.Warnings.find("left out") == std::string::npos &&
+          messages.Warnings.find("points only and no faces") == std::string::npos,
+    "no second warning");
+}
+
 } // namespace
 
 int TestLimnMeshReader(int, char*[])
@@ -203,6 +218,7 @@ int TestLimnMeshReader(int, char*[])
   TestCellColorsAndDouble(folder);
   TestErrors(folder);
   TestAbort(folder);
+  TestFacesThatAreDropped(folder);
   std::filesystem::remove_all(folder);
   return Failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
