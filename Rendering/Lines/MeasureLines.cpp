@@ -160,7 +160,8 @@ bool LineMeasure::isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool 
 
 /// Whether beyond the end of a border another surface is seen, or none as beside the frame, and
 /// also where the border would pass the pixel: then it goes on behind that. One that comes to its
-/// end has its own surface on both sides there.
+/// end has its own surface on both sides there. Where the surface ends at the border what matters
+/// is beyond it, and not the part of a pixel up to there.
 bool LineMeasure::isHiddenBeyond(const Pixel& pixel, const NearEdge& nearest) const
 {
   const Vec2f normal = nearest.edge->normal;
@@ -171,8 +172,10 @@ bool LineMeasure::isHiddenBeyond(const Pixel& pixel, const NearEdge& nearest) co
     return x < 0 || y < 0 || x >= layers_.width || y >= layers_.height ||
            !steps_.areJoined(pixel.shown, {x, y});
   };
+  const float straight = dot(normal, nearest.way);
+  const float passed = nearest.edge->part < 1.0f ? straight : straight + 0.5f;
   return isOther(nearest.edge->foot + (towards * kBeside + normal * 0.5f)) &&
-         isOther(pixel.centre + normal * dot(normal, nearest.way));
+         isOther(pixel.centre + normal * passed);
 }
 
 /// Of a round end in the middle of the line.

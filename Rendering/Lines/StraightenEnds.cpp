@@ -9,14 +9,55 @@ namespace limn {
 namespace {
 
 /// How many pixels away the edges before an end may be, how far their normals may be turned, and
-/// how far off their line the end may lie.
+/// how far off their line they may lie, and the end.
 constexpr int kReach = 6;
 constexpr float kSameWay = 0.7f;
 constexpr float kSameBorder = 1.0f;
+/// Of the nearest of them, which tells the border: how many pixels away it may be, and how far its
+/// normal may be turned from the end's, which what hides turns.
+constexpr float kNext = 3.0f;
+constexpr float kTurned = 0.4f;
+/// How far the end may lie off the line of them all, as it is known to half a pixel.
+constexpr float kMostOff = 0.5f;
 
 float dot(Vec2f a, Vec2f b)
 {
   return a.x * b.x + a.y * b.y;
+}
+
+/// Calls visit(edge, way to its foot) for those of a border that the end may be of, row by row.
+template <class Visit>
+void forEachBefore(const EdgePoint& end, const SurfaceLayers& layers,
+                   const std::vector<EdgeRow>& edges, const Visit& visit)
+{
+  const int y = static_cast<int>(end.index) / layers.width;
+  const int first = std::max(y - kReach, 0), last = std::min(y + kReach, layers.height - 1);
+  for (int row = first; row <= last; ++row) {
+    const std::vector<EdgePoint>& points = edges[static_cast<std::size_t>(row)].points;
+    auto edge =
+        std::lower_bound(points.begin(), points.end(), end.column - kReach,
+                         [](const EdgePoint& point, int column) { return point.column < column; });
+    for (; edge != points.end() && edge->column <= end.column + kReach; ++edge)
+      if (!edge->isBesideHidden && edge->instance == end.instance)
+        visit(*edge, edge->foot - end.foot);
+  }
+}
+
+/// The nearest on whose line the end lies; none: null.
+const EdgePoint* nextBefore(const EdgePoint& end, const SurfaceLayers& layers,
+                            const StepGrid& steps, const std::vector<EdgeRow>& edges)
+{
+  const EdgePoint* next = nullptr;
+  float least = kNext * kNext;
+  forEachBefore(end, layers, edges, [&](const EdgePoint& edge, Vec2f way) {
+    const float squared = dot(way, way);
+    if (!(squared < least) || !(dot(edge.normal, end.normal) >= kTurned)) return;
+    if (!(std::fabs(dot(edge.normal, way)) <= kSameBorder)) return;
+    if (!steps.areJoined(end.shown, edge.shown)) return;
+    least = squared;
+    next = &edge;
+  });
+  return next;
 }
 
 }  // namespace
@@ -24,33 +65,30 @@ float dot(Vec2f a, Vec2f b)
 void straightenEnds(const SurfaceLayers& layers, const StepGrid& steps, int y,
                     std::vector<EdgeRow>& edges)
 {
-  const int first = std::max(y - kReach, 0), last = std::min(y + kReach, layers.height - 1);
   for (EdgePoint& end : edges[static_cast<std::size_t>(y)].points) {
     if (!end.isBesideHidden) continue;
+    const EdgePoint* const next = nextBefore(end, layers, steps, edges);
+    if (next == nullptr) continue;
     // Weighted by their distance: those beside the end are turned a little, too.
     Vec2f normals = {0.0f, 0.0f}, ways = {0.0f, 0.0f};
     float weights = 0.0f;
-    for (int row = first; row <= last; ++row) {
-      const std::vector<EdgePoint>& points = edges[static_cast<std::size_t>(row)].points;
-      auto edge = std::lower_bound(
-          points.begin(), points.end(), end.column - kReach,
-          [](const EdgePoint& point, int column) { return point.column < column; });
-      for (; edge != points.end() && edge->column <= end.column + kReach; ++edge) {
-        if (edge->isBesideHidden || edge->instance != end.instance) continue;
-        const Vec2f way = edge->foot - end.foot;
-        if (!(dot(edge->normal, end.normal) >= kSameWay)) continue;
-        if (!(std::fabs(dot(edge->normal, way)) <= kSameBorder)) continue;
-        if (!steps.areJoined(end.shown, edge->shown)) continue;
-        const float weight = std::sqrt(dot(way, way));
-        normals = normals + edge->normal * weight;
-        ways = ways + way * weight;
-        weights = weights + weight;
-      }
-    }
+    forEachBefore(end, layers, edges, [&](const EdgePoint& edge, Vec2f way) {
+      if (!(dot(edge.normal, next->normal) >= kSameWay)) return;
+      if (!(std::fabs(dot(next->normal, edge.foot - next->foot)) <= kSameBorder)) return;
+      if (!steps.areJoined(end.shown, edge.shown)) return;
+      const float weight = std::sqrt(dot(way, way));
+      normals = normals + edge.normal * weight;
+      ways = ways + way * weight;
+      weights = weights + weight;
+    });
     const float length = std::sqrt(dot(normals, normals));
     if (!(length > 0.0f)) continue;
-    end.normal = normals * (1.0f / length);
-    end.foot = end.foot + end.normal * (dot(end.normal, ways) / weights);
+    const Vec2f normal = normals * (1.0f / length);
+    const float off = dot(normal, ways) / weights;
+    if (!(std::fabs(off) <= kMostOff)) continue;
+    end.normal = normal;
+    // Where two surfaces cut each other planes tell the place.
+    if (!(end.part < 1.0f)) end.foot = end.foot + normal * off;
   }
 }
 

@@ -463,7 +463,9 @@ class Outlines {
     return bounded * (1.0f - 2.0f * std::fabs(leanTowards(p, q)));
   }
   /// Straightens borders where they come to what hides them, or to the frame, which turns them: as
-  /// the others within six pixels lie in the mean, the farther the more.
+  /// the others within six pixels lie in the mean, the farther the more. Nothing is known of ends
+  /// that have no edge of theirs within three pixels, or that would be moved by more than half a
+  /// pixel.
   void straightenEnds()
   {
     for (int y = 0; y < frame_.height; ++y)
@@ -473,27 +475,47 @@ class Outlines {
   }
   void straighten(Edge& end) const
   {
-    Vec2f normals = {0, 0}, ways = {0, 0};
-    float sum = 0;
+    using Edges = std::vector<const Edge*>;
+    const auto far = [&](const Edge* edge) {
+      const Vec2f way = edge->foot - end.foot;
+      return dot2(way, way);
+    };
+    Edges candidates, through;
     for (int y = end.at.y - 6; y <= end.at.y + 6; ++y)
       for (int x = end.at.x - 6; x <= end.at.x + 6; ++x) {
         if (!isInside({x, y})) continue;
-        for (const Edge& edge : edges_[index({x, y})]) {
-          if (edge.isBesideHidden || edge.of != end.of) continue;
-          const Vec2f way = edge.foot - end.foot;
-          const bool isOfBorder =
-              dot2(edge.normal, end.normal) >= 0.7f && std::fabs(dot2(edge.normal, way)) <= 1;
-          if (!isOfBorder || !showSame(end.shown, edge.shown)) continue;
-          const float far = std::sqrt(dot2(way, way));
-          normals = normals + edge.normal * far;
-          ways = ways + way * far;
-          sum += far;
-        }
+        for (const Edge& edge : edges_[index({x, y})])
+          if (!edge.isBesideHidden && edge.of == end.of && showSame(end.shown, edge.shown))
+            candidates.push_back(&edge);
       }
+    for (const Edge* edge : candidates) {
+      const bool isThrough = std::fabs(dot2(edge->normal, edge->foot - end.foot)) <= 1;
+      if (isThrough && far(edge) < 9 && dot2(edge->normal, end.normal) >= 0.4f)
+        through.push_back(edge);
+    }
+    if (through.empty()) return;
+    const Edge* const next =
+        *std::min_element(through.begin(), through.end(),
+                          [&](const Edge* a, const Edge* b) { return far(a) < far(b); });
+    Vec2f normals = {0, 0}, ways = {0, 0};
+    float sum = 0;
+    for (const Edge* edge : candidates) {
+      const bool isOfBorder = dot2(edge->normal, next->normal) >= 0.7f &&
+                              std::fabs(dot2(next->normal, edge->foot - next->foot)) <= 1;
+      if (!isOfBorder) continue;
+      const float weight = std::sqrt(far(edge));
+      normals = normals + edge->normal * weight;
+      ways = ways + (edge->foot - end.foot) * weight;
+      sum += weight;
+    }
     const float length = std::sqrt(dot2(normals, normals));
     if (!(length > 0)) return;
-    end.normal = normals * (1.0f / length);
-    end.foot = end.foot + end.normal * (dot2(end.normal, ways) / sum);
+    const Vec2f normal = normals * (1.0f / length);
+    const float off = dot2(normal, ways) / sum;
+    if (!(std::fabs(off) <= 0.5f)) return;
+    end.normal = normal;
+    // The place of a cut is that of its planes.
+    if (!(end.part < 1)) end.foot = end.foot + normal * off;
   }
   static float meanOf(const std::vector<float>& values)
   {
@@ -931,10 +953,10 @@ class Outlines {
           return isInside(q) && showSame(target.shown, q);
         };
         // Where the surface is seen neither beyond the end nor where the border would pass the
-        // target, it goes on behind what hides it.
+        // target, or of whole lines just beyond that, it goes on behind what hides it.
         const float straight = dot2(n, to);
-        if (!shows(nearest->foot + (t * side * 1.5f + n * 0.5f)) &&
-            !shows(centre(p) + n * straight))
+        const float passed = nearest->part < 1 ? straight : straight + 0.5f;
+        if (!shows(nearest->foot + (t * side * 1.5f + n * 0.5f)) && !shows(centre(p) + n * passed))
           return std::max(0.0f,
                           target.own - areaBelow(n, straight - widthAt(target) * nearest->part));
         const float radius = widthAt(target) * nearest->part * 0.5f;

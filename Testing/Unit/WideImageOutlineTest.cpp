@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace limn::testing {
@@ -170,16 +171,15 @@ TEST_P(WideImageOutlines, GoOnBehindWhatHidesThemAndOutOfTheFrame)
 {
   // A sheet without lines hides a half of the picture, at all angles to the border of another.
   constexpr int kSide = 64;
-  constexpr double kWidth = 6;
-  for (const int samples : {1, 4})
+  for (const auto& [samples, width] : {std::pair{1, 6.0f}, {4, 6.0f}, {4, 4.0f}})
     for (const double degrees : {0.0, 13.0, 38.0})
-      for (const double turn : {0.0, 40.0, 50.0, 90.0, 130.0, 140.0}) {
+      for (const double turn : {0.0, 40.0, 50.0, 90.0, 130.0, 140.0, 144.0}) {
         const OwnedMesh back = halfPlane(kSide, degrees, 0.3),
                         front = halfPlane(kSide, degrees + turn, 0.3, 20);
         Stage stage = deepStage(kSide, samples);
         stage.view.eye.z = 80;
         stage.view.far = 120;
-        stage.instances = {outlined(back, kWidth, 1)};
+        stage.instances = {outlined(back, width, 1)};
         if (turn > 0) stage.instances.push_back(painted(front, {1, 1, 1}, 2));
         const double error = samples == 1 ? 1.9 : 1.4;
         const Picture picture = drawOverWhite(stage, GetParam());
@@ -191,10 +191,10 @@ TEST_P(WideImageOutlines, GoOnBehindWhatHidesThemAndOutOfTheFrame)
           for (int x = 0; x < kSide; ++x) {
             const double inside = -above(x + 0.5, y + 0.5, degrees);
             if (turn > 0 && above(x + 0.5, y + 0.5, degrees + turn) < 1) continue;
-            if (inside > error && inside < kWidth - error) {
+            if (inside > error && inside < width - error) {
               EXPECT_LE(at(picture, x, y).g, 20)
                   << x << ", " << y << " at " << degrees << " and " << turn << " of " << samples;
-            } else if (inside < -error || inside > kWidth + error) {
+            } else if (inside < -error || inside > width + error) {
               EXPECT_EQ(at(picture, x, y).g, 255)
                   << x << ", " << y << " at " << degrees << " and " << turn << " of " << samples;
             }
