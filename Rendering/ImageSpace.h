@@ -49,14 +49,19 @@ inline constexpr float kMaxImageOutlineWidth = 64;  ///< pixels
 /// pixels of its surface: those from which a straight way to it crosses no step by kPlane and no
 /// other instance; and in pixels that a surface shares with another one's border as if it filled
 /// them, as far as it does. Where a border goes behind another surface, its line goes straight
-/// on, for as many pixels as it is wide and two more; so does a straight one out of the frame.
+/// on, for as many pixels as it is wide and two more. What lies next to the frame is looked at,
+/// too, so that the lines are those of a larger picture; what the frame has held before is taken to
+/// go on as at its border.
 struct ImageOutline {
+  /// How far outside of the frame, in pixels beyond the line's width: two as above, and four to
+  /// tell how near a cut is to an outline.
+  static constexpr int kApron = 6;
   /// Steps in fewer pixels that touch each other are specks, and left out; but for those that touch
   /// a border. Where normals differ they count as creases, so that a crease's line is one though
   /// here and there it is a step; where they do not, those that touch a crease are kept.
   static constexpr unsigned kSmallestStep = 8;
   /// Creases that cross fewer ways from a pixel to the next, one after the other, are left out; but
-  /// for those that touch a border, also between ids, a step's line or the picture's edge.
+  /// for those that touch a border, also between ids, a step's line or the end of what is looked at.
   static constexpr unsigned kShortestCrease = 8;
   /// Where two instances cut each other the line goes over to the side of the one that comes to its
   /// outline, and to that of a steep one, of which nobody can tell how far that is: from here on,

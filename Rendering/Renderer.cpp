@@ -229,13 +229,58 @@ bool areNear(const TileRectangle& pixels, const TileRectangle& touched)
          touched.y0 <= pixels.y1;
 }
 
+/// Puts what the frame holds at its border into the depths around it.
+void copyBorderDepths(const FrameView& frame, SurfaceLayers& layers)
+{
+  if (layers.apron == 0) return;
+  const bool isCleared = frame.clear.extent != FrameClear::Extent::kNothing;
+  for (int y = -layers.apron; y < layers.endY(); ++y) {
+    const float* const row =
+        frame.depth + std::min(std::max(y, 0), frame.height - 1) * frame.rowStride;
+    const bool isInside = y >= 0 && y < frame.height;
+    for (int x = -layers.apron; x < layers.endX(); ++x) {
+      if (isInside && x == 0) x = frame.width;
+      layers.depth[layers.indexOf(x, y)] =
+          isCleared ? frame.clear.depth : row[std::min(std::max(x, 0), frame.width - 1)];
+    }
+  }
+}
+
+/// Gives `surfaces` pixels next to the frame.
+void drawApron(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
+               const LayerTarget& surfaces)
+{
+  const TileRectangle pixels = bins.rectangle(tile);
+  if (!areNear(pixels, bins.touchedWithApron)) return;
+  clearLayers(pixels, surfaces.layers);
+  if (bins.clustersOf(tile).empty()) return;
+  const int samples = scene.scene->samples;
+  TileMemory& memory = tileMemory();
+  const std::size_t opaque = orderClusters(scene, bins, tile, memory.ordered);
+  const TileClusters clusters = {&scene, {memory.ordered.data(), opaque}};
+  const SurfaceLayers& layers = surfaces.layers;
+  clearTile({layers.depth.data() + layers.indexOf(pixels.x0, pixels.y0),
+             static_cast<std::ptrdiff_t>(layers.stride())},
+            pixels, samples, memory.visible);
+  rasterizeTile(clusters, pixels, samples, memory.visible);
+  collectFragments(memory.visible, pixels, samples, scene.optimizations.fragmentRuns,
+                   memory.fragments);
+  TileColors& colors = memory.colors;
+  colors.pixel = memory.runColor;
+  colors.hasColors = colors.hasRadiance = false;
+  colors.hasNormals = colors.hasPlanes = true;
+  memory.shader.shade(clusters, pixels, samples, memory.fragments, colors);
+  writeLayers(clusters, memory.visible, pixels, memory.fragments, colors, surfaces, nullptr);
+  colors.hasColors = true;
+}
+
 TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
                    const FrameView& frame, PassInputs passes)
 {
   const LayerTarget* const layers = passes.surfaces;
   const TileRectangle pixels = bins.grid.rectangle(tile);
   const bool isEmpty = bins.clustersOf(tile).empty();
-  if (layers != nullptr && (layers->isWhole || areNear(pixels, bins.touched)))
+  if (layers != nullptr && (layers->isWhole || areNear(pixels, bins.touchedWithApron)))
     clearLayers(pixels, layers->layers);
   TileMemory& memory = tileMemory();
   memory.colors.pixel = memory.runColor;
@@ -253,9 +298,8 @@ TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t t
   return stats;
 }
 
-void addTouched(const TileRectangle& more, TileBins& bins)
+void addTouched(const TileRectangle& more, TileRectangle& all)
 {
-  TileRectangle& all = bins.touched;
   if (more.x0 >= more.x1 || more.y0 >= more.y1) return;
   if (all.x0 >= all.x1)
     all = more;
@@ -276,6 +320,7 @@ std::optional<LayerTarget> layersFor(const Scene& scene, const FrameView& frame)
   if (std::none_of(scene.instances.begin(), scene.instances.end(), asks)) return {};
   thread_local SurfaceLayers layers;
   beginLayers(scene, frame, layers);
+  copyBorderDepths(frame, layers);
   const bool isWhole = std::any_of(scene.instances.begin(), scene.instances.end(), hasCues);
   return LayerTarget{frame.background, layers, isWhole};
 }
@@ -299,14 +344,15 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
                       RenderStats& stats)
 {
   const Stopwatch binTime;
-  const PlacedScene placed =
-      placeScene(scene, frame.width, frame.height, options.optimizations, options.threads);
+  const PlacedScene placed = placeScene(scene, {frame.width, frame.height, apronOf(scene)},
+                                        options.optimizations, options.threads);
   TileBins bins;
   if (Status status = binClusters(placed, options.threads, bins); !status.ok()) return status;
   const bool drawsStrokes = hasLines(scene);
   if (drawsStrokes)
-    addTouched(boundStrokes(scene, frame.width, frame.height, options.threads), bins);
-  for (std::size_t tile = 0; tile < bins.grid.count(); ++tile)
+    addTouched(boundStrokes(scene, frame.width, frame.height, options.threads), bins.touched);
+  addTouched(bins.touched, bins.touchedWithApron);
+  for (std::size_t tile = 0; tile < bins.count(); ++tile)
     if (bins.clustersOf(tile).size() > TileOwner::kMaxClustersPerTile)
       return {Error::kTooManyPrimitives,
               "More than 33554431 clusters meet one tile of 64 x 64 pixels; draw fewer meshes at "
@@ -324,7 +370,8 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   const PassInputs passes = {layers ? &*layers : nullptr, veil ? &*veil : nullptr,
                              panes ? &*panes : nullptr};
   std::atomic<std::size_t> occluded = 0, truncated = 0;
-  parallelFor(options.threads, bins.grid.count(), [&](std::size_t tile) {
+  parallelFor(options.threads, bins.count(), [&](std::size_t tile) {
+    if (tile >= bins.grid.count()) return drawApron(placed, bins, tile, *layers);
     const TileStats drawn = drawTile(placed, bins, tile, frame, passes);
     occluded.fetch_add(drawn.occludedClusters, std::memory_order_relaxed);
     truncated.fetch_add(drawn.truncatedPixels, std::memory_order_relaxed);
@@ -333,8 +380,9 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     const PixelRectangle touched = rectangleOf(bins.touched);
     if (std::any_of(scene.instances.begin(), scene.instances.end(), hasCues))
       drawCues({scene, frame, layers->layers, touched, options.threads});
+    const PixelRectangle withApron = rectangleOf(bins.touchedWithApron);
     if (std::any_of(scene.instances.begin(), scene.instances.end(), hasImageOutline))
-      drawImageOutlines({scene, frame, layers->layers, touched, options.threads});
+      drawImageOutlines({scene, frame, layers->layers, withApron, options.threads});
   }
   if (veil && haveHalos) veil->addHalos(scene, layers->layers, bins.grid, *panes, options.threads);
   if (veil) veil->lay(frame, options.threads);

@@ -74,12 +74,13 @@ struct Boxes {
   }
 };
 
-/// First and one past the last pixel of ndc coordinates c/w, cut to [0, size]; in front of the eye.
+/// First and one past the last pixel of ndc coordinates c/w on a viewport of some size, cut to it
+/// and its apron; in front of the eye.
 struct PixelRange {
   V first, end;
   M isWhole;  ///< not cut
 
-  PixelRange(const Interval& c, V nearScale, V farScale, int size)
+  PixelRange(const Interval& c, V nearScale, V farScale, int size, int apron)
   {
     const V low = smaller(hn::Mul(c.low, nearScale), hn::Mul(c.low, farScale));
     const V high = larger(hn::Mul(c.high, nearScale), hn::Mul(c.high, farScale));
@@ -88,16 +89,17 @@ struct PixelRange {
       return hn::Floor(hn::Add(hn::Add(hn::Mul(ndc, half), half), set(margin)));
     };
     const V from = pixel(low, -kMarginPixels), to = hn::Add(pixel(high, kMarginPixels), set(1));
-    first = cut(from, size);
-    end = cut(to, size);
+    const V least = set(-apron), most = set(size + apron);
+    first = smaller(larger(from, least), most);
+    end = smaller(larger(to, least), most);
     isWhole = hn::And(hn::Eq(first, from), hn::Eq(end, to));
   }
-  static HWY_INLINE V cut(V pixel, int size) { return smaller(larger(pixel, set(0)), set(size)); }
 };
 
-void boundClustersKernel(const BoundsTransform& transform, Span<const Cluster> clusters, int width,
-                         int height, ClusterBounds* bounds)
+void boundClustersKernel(const BoundsTransform& transform, Span<const Cluster> clusters,
+                         const Viewport& viewport, ClusterBounds* bounds)
 {
+  const auto [width, height, apron] = viewport;
   const hn::Rebind<std::int32_t, D> di;
   const hn::Rebind<float, D> df;
   constexpr std::size_t kMaxLanes = HWY_MAX_BYTES / sizeof(double);
@@ -130,8 +132,8 @@ void boundClustersKernel(const BoundsTransform& transform, Span<const Cluster> c
     const M nowhere = hn::Or(hn::And(inFront, beyond), hn::Lt(w.high, set(0)));
     const V nearest = hn::Sub(hn::Add(hn::Mul(low, set(0.5)), set(0.5)), rounding);
 
-    const PixelRange x(boxes.row(transform.toClip, 0), nearScale, farScale, width);
-    const PixelRange y(boxes.row(transform.toClip, 1), nearScale, farScale, height);
+    const PixelRange x(boxes.row(transform.toClip, 0), nearScale, farScale, width, apron);
+    const PixelRange y(boxes.row(transform.toClip, 1), nearScale, farScale, height, apron);
     const auto pixels = [&](V inView, double whole) HWY_ATTR {
       return hn::DemoteTo(di,
                           hn::IfThenZeroElse(nowhere, hn::IfThenElse(inFront, inView, set(whole))));
@@ -143,10 +145,10 @@ void boundClustersKernel(const BoundsTransform& transform, Span<const Cluster> c
         hn::And(hn::And(inFront, hn::Gt(hn::Sub(low, rounding), set(-1))),
                 hn::And(hn::And(x.isWhole, y.isWhole), hn::Gt(w.low, set(kSmallestWhole))));
     hn::Store(hn::DemoteTo(di, hn::IfThenElseZero(isWhole, set(1))), di, whole);
-    hn::Store(pixels(x.first, 0), di, x0);
-    hn::Store(pixels(y.first, 0), di, y0);
-    hn::Store(pixels(x.end, width), di, x1);
-    hn::Store(pixels(y.end, height), di, y1);
+    hn::Store(pixels(x.first, -apron), di, x0);
+    hn::Store(pixels(y.first, -apron), di, y0);
+    hn::Store(pixels(x.end, width + apron), di, x1);
+    hn::Store(pixels(y.end, height + apron), di, y1);
     hn::Store(hn::DemoteTo(df, hn::IfThenElseZero(inFront, nearest)), df, depth);
     for (std::size_t lane = 0; lane < count; ++lane) {
       const bool empty = x0[lane] >= x1[lane] || y0[lane] >= y1[lane];

@@ -26,10 +26,10 @@ BoundsTransform::BoundsTransform(const Mat4d& localToClip) : toClip(localToClip)
     toClip.m[2][column] = z[column] - slope * w[column];
 }
 
-void boundClusters(const BoundsTransform& transform, Span<const Cluster> clusters, int width,
-                   int height, ClusterBounds* bounds)
+void boundClusters(const BoundsTransform& transform, Span<const Cluster> clusters,
+                   const Viewport& viewport, ClusterBounds* bounds)
 {
-  HWY_DYNAMIC_DISPATCH(boundClustersKernel)(transform, clusters, width, height, bounds);
+  HWY_DYNAMIC_DISPATCH(boundClustersKernel)(transform, clusters, viewport, bounds);
 }
 
 }  // namespace limn

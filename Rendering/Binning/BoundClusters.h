@@ -6,6 +6,7 @@
 #include "Rendering/Base/Span.h"
 #include "Rendering/Binning/TileBins.h"
 #include "Rendering/Mesh/ClusteredMesh.h"
+#include "Rendering/Vertex/Viewport.h"
 
 namespace limn {
 
@@ -18,9 +19,9 @@ struct BoundsTransform {
   explicit BoundsTransform(const Mat4d& localToClip);
 };
 
-/// Finds where clusters may be on a viewport of width x height pixels. Bounds hold for vertices
-/// that are transformed in float, too.
-void boundClusters(const BoundsTransform& transform, Span<const Cluster> clusters, int width,
-                   int height, ClusterBounds* bounds);
+/// Finds where clusters may be on a viewport and its apron. Bounds hold for vertices that are
+/// transformed in float, too.
+void boundClusters(const BoundsTransform& transform, Span<const Cluster> clusters,
+                   const Viewport& viewport, ClusterBounds* bounds);
 
 }  // namespace limn

@@ -15,9 +15,10 @@ struct TileRectangle {
   int x0, y0, x1, y1;
 };
 
-/// How a viewport is cut into tiles, row by row from the lower left.
+/// How a viewport, or a part of its apron, is cut into tiles, row by row from the lower left.
 struct TileGrid {
-  int width, height;  ///< of the viewport, in pixels
+  int width, height;   ///< in pixels
+  int x0 = 0, y0 = 0;  ///< its lower left pixel
 
   int columns() const { return (width + kTileSide - 1) / kTileSide; }
   int rows() const { return (height + kTileSide - 1) / kTileSide; }
@@ -32,9 +33,10 @@ struct TileGrid {
   }
   TileRectangle rectangle(std::size_t tile) const
   {
-    const int x0 = static_cast<int>(tile % static_cast<std::size_t>(columns())) * kTileSide;
-    const int y0 = static_cast<int>(tile / static_cast<std::size_t>(columns())) * kTileSide;
-    return {x0, y0, std::min(x0 + kTileSide, width), std::min(y0 + kTileSide, height)};
+    const int x = static_cast<int>(tile % static_cast<std::size_t>(columns())) * kTileSide;
+    const int y = static_cast<int>(tile / static_cast<std::size_t>(columns())) * kTileSide;
+    return {x0 + x, y0 + y, x0 + std::min(x + kTileSide, width),
+            y0 + std::min(y + kTileSide, height)};
   }
 };
 

@@ -150,8 +150,8 @@ HWY_INLINE VI creaseBits(const RowJob& job, std::size_t index, std::size_t over)
 /// Anywhere. `x` is the first pixel's column.
 HWY_INLINE VI anyBits(const RowJob& job, std::size_t index, int x, VI instance)
 {
-  const bool isTop = job.y + 1 >= job.layers.height;
-  const std::size_t over = isTop ? index : index + static_cast<std::size_t>(job.layers.width);
+  const bool isTop = job.y + 1 >= job.layers.endY();
+  const std::size_t over = isTop ? index : index + job.layers.stride();
   const LayerLanes own(job, index, x, job.y);
   const VI safe =
       hn::IfThenZeroElse(hn::RebindMask(DI(), isNobody(instance, job.bounds)), instance);
@@ -173,8 +173,8 @@ HWY_INLINE VI askedBits(const RowJob& job, VI instance, M nobody)
 
 void comparePairsKernel(const RowJob& job, std::uint8_t* pairs, std::uint8_t* asks)
 {
-  const auto width = static_cast<std::size_t>(job.layers.width);
-  const bool isTop = job.y + 1 >= job.layers.height;
+  const auto width = job.layers.stride();
+  const bool isTop = job.y + 1 >= job.layers.endY();
   const VI onTop = hn::Set(DI(), isTop ? kStepAbove : 0);
   for (std::size_t i = 0; i < job.count; i += hn::Lanes(D())) {
     const std::size_t index = job.first + i, over = isTop ? index : index + width;
@@ -214,8 +214,8 @@ HWY_INLINE VI idsAt(const SurfaceLayers& layers, std::size_t index)
 /// Adds where pixels of one instance differ by SurfaceLayers::id.
 void compareIdsKernel(const RowJob& job, std::uint8_t* pairs)
 {
-  const auto width = static_cast<std::size_t>(job.layers.width);
-  const bool isTop = job.y + 1 >= job.layers.height;
+  const auto width = job.layers.stride();
+  const bool isTop = job.y + 1 >= job.layers.endY();
   for (std::size_t i = 0; i < job.count; i += hn::Lanes(D())) {
     const std::size_t index = job.first + i, over = isTop ? index : index + width;
     const VI instance = instancesAt(job.layers, index), id = idsAt(job.layers, index);

@@ -44,10 +44,11 @@ void PairTest::findGentle(const SurfaceLayers& layers, float tolerance, int samp
     return static_cast<float>(std::sqrt(dot(wide, wide)));
   };
   const auto columnOf = [&](int c) { return Vec3f{m.m[0][c], m.m[1][c], m.m[2][c]}; };
+  const auto apron = static_cast<float>(layers.apron);
   float skew = 0;
   for (unsigned corner = 0; corner < 8; ++corner) {
-    const float x = (corner & 1) != 0 ? static_cast<float>(layers.width) : 0.0f;
-    const float y = (corner & 2) != 0 ? static_cast<float>(layers.height) : 0.0f;
+    const float x = (corner & 1) != 0 ? static_cast<float>(layers.endX()) : -apron;
+    const float y = (corner & 2) != 0 ? static_cast<float>(layers.endY()) : -apron;
     const float depth = (corner & 4) != 0 ? 1.0f : 0.0f;
     const Vec3f n = columnOf(0) * x + columnOf(1) * y + columnOf(2) * depth + columnOf(3);
     const Vec3f grows = columnOf(2) * (m.m[3][2] * depth + m.m[3][3]) - n * m.m[3][2];

@@ -14,9 +14,10 @@ struct SquareSides {
 };
 
 /// Calls visit(column, sides) for the squares between two rows of pixels on whose sides crossings
-/// lie, from left to right.
+/// lie, from left to right; the first pixels are of a column `firstColumn`.
 template <class Visit>
-void forEachSquare(const CreaseRow& row, const CreaseRow& above, const Visit& visit)
+void forEachSquare(const CreaseRow& row, const CreaseRow& above, int firstColumn,
+                   const Visit& visit)
 {
   constexpr int kNone = std::numeric_limits<int>::max();
   /// The crossings of one side, square after square.
@@ -24,15 +25,16 @@ void forEachSquare(const CreaseRow& row, const CreaseRow& above, const Visit& vi
     const CreaseCrossing *at, *end;
     int shift;
 
-    Side(const std::vector<CreaseCrossing>& all, int toSquare)
+    Side(const std::vector<CreaseCrossing>& all, int toSquare, int firstSquare)
         : at(all.data()), end(all.data() + all.size()), shift(toSquare)
     {
-      if (at != end && at->column + shift < 0) ++at;
+      if (at != end && at->column + shift < firstSquare) ++at;
     }
     int column() const { return at == end ? kNone : at->column + shift; }
     const CreaseCrossing* take(int column_) { return column() == column_ ? at++ : nullptr; }
   };
-  Side below(row.toRight, 0), left(row.toAbove, 0), right(row.toAbove, -1), over(above.toRight, 0);
+  Side below(row.toRight, 0, firstColumn), left(row.toAbove, 0, firstColumn),
+      right(row.toAbove, -1, firstColumn), over(above.toRight, 0, firstColumn);
   for (;;) {
     int column = below.column();
     for (const Side* side : {&left, &right, &over})

@@ -21,15 +21,15 @@ bool hasEdgeBeside(const std::vector<EdgePoint>& row, int x)
 
 /// Whether there is an edge in a pixel or one that touches it, or one of these shows something
 /// else.
-bool isAtLine(const SurfaceLayers& layers, const std::vector<EdgeRow>& edges, PixelPlace pixel)
+bool isAtLine(const SurfaceLayers& layers, const LayerRows<EdgeRow>& edges, PixelPlace pixel)
 {
   const auto [x, y] = pixel;
-  if (x == 0 || y == 0 || x + 1 == layers.width || y + 1 == layers.height) return true;
+  if (layers.isAtEnd(x, y)) return true;
   const std::uint32_t instance = layers.instance[layers.indexOf(x, y)];
   for (int row = y - 1; row <= y + 1; ++row) {
     for (int column = x - 1; column <= x + 1; ++column)
       if (layers.instance[layers.indexOf(column, row)] != instance) return true;
-    if (hasEdgeBeside(edges[static_cast<std::size_t>(row)].points, x)) return true;
+    if (hasEdgeBeside(edges[row].points, x)) return true;
   }
   return false;
 }
@@ -64,10 +64,17 @@ class Numbers {
   std::vector<std::size_t> first_;
 };
 
+/// The squares between two rows.
+struct SquareRow {
+  const CreaseRow &row, &above;
+  std::size_t number;
+  int firstColumn;
+};
+
 /// Those of one surface on the sides of a square.
-void joinSquares(const std::vector<CreaseRow>& crossings, const Numbers& numbers, std::size_t row,
-                 Components& components)
+void joinSquares(const SquareRow& squares, const Numbers& numbers, Components& components)
 {
+  const std::size_t row = squares.number;
   const auto visit = [&](int, const SquareSides& sides) {
     struct Met {
       const CreaseCrossing* crossing;
@@ -85,25 +92,26 @@ void joinSquares(const std::vector<CreaseRow>& crossings, const Numbers& numbers
     if (sides.right != nullptr) take(sides.right, numbers.ofAbove(row, *sides.right));
     if (sides.above != nullptr) take(sides.above, numbers.ofRight(row + 1, *sides.above));
   };
-  forEachSquare(crossings[row], crossings[row + 1], visit);
+  forEachSquare(squares.row, squares.above, squares.firstColumn, visit);
 }
 
 }  // namespace
 
-void dropShortCreases(const SurfaceLayers& layers, const std::vector<EdgeRow>& edges,
-                      std::vector<CreaseRow>& crossings)
+void dropShortCreases(const SurfaceLayers& layers, const LayerRows<EdgeRow>& edges,
+                      LayerRows<CreaseRow>& crossings)
 {
-  const Numbers numbers(crossings);
+  std::vector<CreaseRow>& rows = crossings.all();
+  const Numbers numbers(rows);
   if (numbers.count() == 0) return;
   Components components(numbers.count());
-  for (std::size_t row = 0; row + 1 < crossings.size(); ++row)
+  for (std::size_t row = 0; row + 1 < rows.size(); ++row)
     if (!numbers.isEmpty(row) || !numbers.isEmpty(row + 1))
-      joinSquares(crossings, numbers, row, components);
+      joinSquares({rows[row], rows[row + 1], row, -layers.apron}, numbers, components);
   std::size_t number = 0;
-  for (const CreaseRow& row : crossings)
+  for (const CreaseRow& row : rows)
     for (const std::vector<CreaseCrossing>* some : {&row.toRight, &row.toAbove})
       for (const CreaseCrossing& crossing : *some) {
-        const PixelPlace pixel = {crossing.column, static_cast<int>(crossing.index) / layers.width};
+        const PixelPlace pixel = layers.pixelOf(crossing.index);
         if (components.sizeAt(number) < ImageOutline::kShortestCrease &&
             (!crossing.isBent || isAtLine(layers, edges, pixel) ||
              isAtLine(layers, edges, crossing.neighbour)))
@@ -111,7 +119,7 @@ void dropShortCreases(const SurfaceLayers& layers, const std::vector<EdgeRow>& e
         ++number;
       }
   number = 0;
-  for (CreaseRow& row : crossings)
+  for (CreaseRow& row : rows)
     for (std::vector<CreaseCrossing>* some : {&row.toRight, &row.toAbove}) {
       const auto isShort = [&](const CreaseCrossing&) {
         return components.sizeAt(number++) < ImageOutline::kShortestCrease;

@@ -11,7 +11,7 @@ namespace limn {
 /// Takes creases away that cross fewer than ImageOutline::kShortestCrease ways between pixels, one
 /// after the other, and hang together with no border of ids, and of whose pixels none touches what
 /// another instance shows, or nothing, or a pixel of `edges`. Both are all rows'.
-void dropShortCreases(const SurfaceLayers& layers, const std::vector<EdgeRow>& edges,
-                      std::vector<CreaseRow>& crossings);
+void dropShortCreases(const SurfaceLayers& layers, const LayerRows<EdgeRow>& edges,
+                      LayerRows<CreaseRow>& crossings);
 
 }  // namespace limn

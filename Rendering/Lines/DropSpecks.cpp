@@ -34,8 +34,8 @@ void joinRow(const SurfaceLayers& layers, const std::vector<EdgePoint>& row, std
 /// Whether a pixel next to it shows another instance, or nothing.
 bool isAtBorder(const SurfaceLayers& layers, const EdgePoint& edge)
 {
-  const int x = edge.column, y = static_cast<int>(edge.index) / layers.width;
-  if (x == 0 || y == 0 || x + 1 == layers.width || y + 1 == layers.height) return true;
+  const auto [x, y] = layers.pixelOf(edge.index);
+  if (layers.isAtEnd(x, y)) return true;
   for (int row = y - 1; row <= y + 1; ++row)
     for (int column = x - 1; column <= x + 1; ++column)
       if (layers.instance[layers.indexOf(column, row)] != layers.instance[edge.index]) return true;
@@ -43,7 +43,7 @@ bool isAtBorder(const SurfaceLayers& layers, const EdgePoint& edge)
 }
 
 /// Whether a crease crosses the way from one of its neighbours, or itself, to the right or upwards.
-bool isAtCrease(const SurfaceLayers& layers, const std::vector<CreaseRow>& crossings,
+bool isAtCrease(const SurfaceLayers& layers, const LayerRows<CreaseRow>& crossings,
                 const EdgePoint& edge)
 {
   const std::uint32_t instance = layers.instance[edge.index];
@@ -55,9 +55,9 @@ bool isAtCrease(const SurfaceLayers& layers, const std::vector<CreaseRow>& cross
       if (!at->isStep && layers.instance[at->index] == instance) return true;
     return false;
   };
-  const int y = static_cast<int>(edge.index) / layers.width;
-  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, layers.height - 1); ++row) {
-    const CreaseRow& creases = crossings[static_cast<std::size_t>(row)];
+  const int y = layers.pixelOf(edge.index).y, last = std::min(y + 1, crossings.end() - 1);
+  for (int row = std::max(y - 1, crossings.first()); row <= last; ++row) {
+    const CreaseRow& creases = crossings[row];
     if (hasNear(creases.toRight) || hasNear(creases.toAbove)) return true;
   }
   return false;
@@ -65,25 +65,25 @@ bool isAtCrease(const SurfaceLayers& layers, const std::vector<CreaseRow>& cross
 
 }  // namespace
 
-void dropSpecks(const SurfaceLayers& layers, std::vector<CreaseRow>& crossings,
-                std::vector<EdgeRow>& edges, StepGrid& steps)
+void dropSpecks(const SurfaceLayers& layers, LayerRows<CreaseRow>& crossings,
+                LayerRows<EdgeRow>& edges, StepGrid& steps)
 {
   std::size_t count = 0;
-  for (const EdgeRow& row : edges)
+  for (const EdgeRow& row : edges.all())
     count += row.points.size();
   Components components(count);
   std::size_t first = 0;
   std::vector<EdgePoint> none;
-  for (std::size_t y = 0; y < edges.size(); ++y) {
+  for (int y = edges.first(); y < edges.end(); ++y) {
     const std::vector<EdgePoint>& row = edges[y].points;
     if (row.empty()) continue;
-    joinRow(layers, row, first, y > 0 ? edges[y - 1].points : none, components);
+    joinRow(layers, row, first, y > edges.first() ? edges[y - 1].points : none, components);
     for (std::size_t i = 0; i < row.size(); ++i)
       if (isAtBorder(layers, row[i])) components.grow(first + i, ImageOutline::kSmallestStep);
     first += row.size();
   }
   std::size_t number = 0;
-  for (const EdgeRow& row : edges)
+  for (const EdgeRow& row : edges.all())
     for (const EdgePoint& edge : row.points) {
       if (components.sizeAt(number) < ImageOutline::kSmallestStep && !edge.isBent &&
           isAtCrease(layers, crossings, edge))
@@ -91,7 +91,7 @@ void dropSpecks(const SurfaceLayers& layers, std::vector<CreaseRow>& crossings,
       ++number;
     }
   number = 0;
-  for (EdgeRow& row : edges) {
+  for (EdgeRow& row : edges.all()) {
     const auto isSpeck = [&](const EdgePoint& edge) {
       const bool result = components.sizeAt(number++) < ImageOutline::kSmallestStep;
       if (result) steps.unite(edge.index);
@@ -104,7 +104,7 @@ void dropSpecks(const SurfaceLayers& layers, std::vector<CreaseRow>& crossings,
     return crossing.isStep && !steps.isUnited(crossing.index) &&
            !steps.isUnited(layers.indexOf(crossing.neighbour.x, crossing.neighbour.y));
   };
-  for (CreaseRow& row : crossings)
+  for (CreaseRow& row : crossings.all())
     for (std::vector<CreaseCrossing>* some : {&row.toRight, &row.toAbove})
       some->erase(std::remove_if(some->begin(), some->end(), isNone), some->end());
 }

@@ -13,7 +13,7 @@ namespace limn {
 /// Nor do they part pixels any more; and `crossings` that were steps are creases there, and nowhere
 /// else. But where normals do not differ as at creases, and a crease crosses the pixel or one that
 /// touches it, they are parts of its line and stay. `edges` and `crossings` are all rows'.
-void dropSpecks(const SurfaceLayers& layers, std::vector<CreaseRow>& crossings,
-                std::vector<EdgeRow>& edges, StepGrid& steps);
+void dropSpecks(const SurfaceLayers& layers, LayerRows<CreaseRow>& crossings,
+                LayerRows<EdgeRow>& edges, StepGrid& steps);
 
 }  // namespace limn

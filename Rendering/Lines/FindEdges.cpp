@@ -75,7 +75,7 @@ float EdgeFinder::toleranceOf(const Pixel& pixel) const
 float EdgeFinder::distanceBeside(const Pixel& pixel, int dx, int dy) const
 {
   const int x = pixel.x + dx, y = pixel.y + dy;
-  const bool isInside = x >= 0 && y >= 0 && x < layers_.width && y < layers_.height;
+  const bool isInside = layers_.isInside(x, y);
   const bool isSame = isInside && layers_.instance[layers_.indexOf(x, y)] == pixel.instance;
   return -(isSame ? layers_.pointAt(x, y) : pixel.layer.point).position.z;
 }
@@ -131,7 +131,7 @@ bool EdgeFinder::isGroove(const Pixel& first, const Pixel& second,
 {
   const auto isFlat = [&](const Pixel& pixel, const Pixel& other) {
     const int x = 2 * pixel.x - other.x, y = 2 * pixel.y - other.y;
-    if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height) return false;
+    if (!layers_.isInside(x, y)) return false;
     const std::size_t behind = layers_.indexOf(x, y);
     return layers_.instance[behind] == pixel.instance &&
            1.0f - dot(layers_.normal[behind], layers_.normal[pixel.index]) <= ImageOutline::kFlat;
@@ -184,6 +184,8 @@ bool EdgeFinder::isBefore(const Pixel& first, const Pixel& second) const
 float EdgeFinder::depthAt(int x, int y) const
 {
   const FrameView& frame = pass_.frame;
+  if (x < 0 || y < 0 || x >= frame.width || y >= frame.height)
+    return layers_.depth[layers_.indexOf(x, y)];
   const PixelRectangle& touched = pass_.touched;
   const bool isTouched = x >= touched.x0 && x < touched.x1 && y >= touched.y0 && y < touched.y1;
   return isTouched || frame.clear.extent != FrameClear::Extent::kTouched
@@ -202,8 +204,7 @@ float EdgeFinder::shareBeyond(const Pixel& pixel, const Pixel& other) const
 
 EdgeFinder::Neighbour EdgeFinder::neighbourAt(const Pixel& pixel, int x, int y) const
 {
-  if (x < 0 || y < 0 || x >= layers_.width || y >= layers_.height)
-    return {1.0f, true, false, false, false, 0.0f, 0.0f, true};
+  if (!layers_.isInside(x, y)) return {1.0f, true, false, false, false, 0.0f, 0.0f, true};
   const Pixel other = pixelAt(x, y);
   if (other.instance == kNobody) {
     const bool isBehind = !(depthAt(x, y) < depthAt(pixel.x, pixel.y));
@@ -384,7 +385,7 @@ Vec2f EdgeFinder::creasePlace(const SurfacePatch& first, const SurfacePatch& sec
 Vec3f EdgeFinder::normalBeside(const Pixel& pixel, int dx, int dy) const
 {
   const int x = pixel.x + dx, y = pixel.y + dy;
-  const bool isInside = x >= 0 && y >= 0 && x < layers_.width && y < layers_.height;
+  const bool isInside = layers_.isInside(x, y);
   const bool isSame = isInside && layers_.instance[layers_.indexOf(x, y)] == pixel.instance;
   return layers_.normal[isSame ? layers_.indexOf(x, y) : pixel.index];
 }
@@ -428,7 +429,7 @@ bool EdgeFinder::isBent(const Pixel& first, const Pixel& second) const
 void EdgeFinder::addCrossing(const Pixel& pixel, int x, int y,
                              std::vector<CreaseCrossing>& found) const
 {
-  if (x >= layers_.width || y >= layers_.height) return;
+  if (x >= layers_.endX() || y >= layers_.endY()) return;
   const Pixel other = pixelAt(x, y);
   if (other.instance != pixel.instance) return;
   const SurfacePatch &first = pixel.layer, &second = other.layer;

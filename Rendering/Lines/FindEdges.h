@@ -53,6 +53,28 @@ struct CreaseRow {
   std::vector<CreaseSegment> segments;           ///< likewise
 };
 
+/// One element for each row of the layers, those of the apron included.
+template <class Row>
+class LayerRows {
+ public:
+  void begin(const SurfaceLayers& layers)
+  {
+    first_ = -layers.apron;
+    rows_.resize(static_cast<std::size_t>(layers.endY() - first_));
+  }
+  int first() const { return first_; }
+  int end() const { return first_ + static_cast<int>(rows_.size()); }
+  Row& operator[](int y) { return rows_[static_cast<std::size_t>(y - first_)]; }
+  const Row& operator[](int y) const { return rows_[static_cast<std::size_t>(y - first_)]; }
+  /// From below.
+  std::vector<Row>& all() { return rows_; }
+  const std::vector<Row>& all() const { return rows_; }
+
+ private:
+  int first_ = 0;
+  std::vector<Row> rows_;
+};
+
 /// Finds edges between pixels that are next to each other.
 class EdgeFinder {
  public:
@@ -102,7 +124,7 @@ class EdgeFinder {
     float part;  ///< of the line's width on the pixel's side: 0 where its surface goes on, or ends
                  ///< behind another's
     float lean;  ///< of another instance: leanOf()
-    bool isHiding;  ///< the pixel's surface may go on behind it, or out of the frame
+    bool isHiding;  ///< the pixel's surface may go on behind it, or where the layers end
   };
   Neighbour neighbourAt(const Pixel& pixel, int x, int y) const;
   float shareBeyond(const Pixel& pixel, const Pixel& other) const;

@@ -56,8 +56,7 @@ float HaloCut::distanceAt(int x, int y, float depth) const
 /// How much nearer the surface gets, at most, that ends in a pixel, within the next one.
 float HaloCut::riseAt(std::size_t owner) const
 {
-  const auto columns = static_cast<std::size_t>(layers_.width);
-  const int x = static_cast<int>(owner % columns), y = static_cast<int>(owner / columns);
+  const auto [x, y] = layers_.pixelOf(owner);
   const float own = layers_.pointAt(owner).position.z;
   float most = 0.0f;
   for (int row = std::max(y - 1, 0); row <= std::min(y + 1, layers_.height - 1); ++row)
@@ -79,9 +78,8 @@ float HaloCut::shareBy(std::size_t owner, int x, int y, float depth, std::uint32
 {
   const HaloBorder border(scene_, layers_, owner);
   const float distance = distanceAt(x, y, depth);
-  const auto columns = static_cast<std::size_t>(layers_.width);
-  const auto dx = static_cast<float>(x - static_cast<int>(owner % columns));
-  const auto dy = static_cast<float>(y - static_cast<int>(owner / columns));
+  const PixelPlace at = layers_.pixelOf(owner);
+  const auto dx = static_cast<float>(x - at.x), dy = static_cast<float>(y - at.y);
   const float away = 0.5f * std::sqrt(dx * dx + dy * dy) + 1.0f;
   if (instance == layers_.instance[owner] &&
       !(distance - border.distance > border.full + Halo::kHorizon * riseAt(owner) * away))

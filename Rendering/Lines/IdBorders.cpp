@@ -22,7 +22,7 @@ class Window {
   Window(const SurfaceLayers& layers, const IdPair& pair)
       : layers_(layers), pair_(pair), first_(layers.indexOf(pair.x, pair.y))
   {
-    second_ = first_ + (pair.isToRight ? 1 : static_cast<std::size_t>(layers.width));
+    second_ = first_ + (pair.isToRight ? 1 : layers.stride());
     for (int i = 0; i < kLong; ++i)
       for (int j = 0; j < kWide; ++j)
         share_[i][j] = shareAt(i - kBefore, j - 1);
@@ -45,7 +45,7 @@ class Window {
   float shareAt(int i, int j) const
   {
     const int x = pair_.x + (pair_.isToRight ? i : j), y = pair_.y + (pair_.isToRight ? j : i);
-    const bool isInside = x >= 0 && y >= 0 && x < layers_.width && y < layers_.height;
+    const bool isInside = layers_.isInside(x, y);
     const std::size_t index = isInside ? layers_.indexOf(x, y) : first_;
     // Where the surface ends the border is taken to go on straight across.
     if (!isInside || layers_.instance[index] != layers_.instance[first_])

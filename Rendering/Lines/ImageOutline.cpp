@@ -35,21 +35,20 @@ void forEachBand(const OutlinePass& pass, const Body& body)
 
 /// By rows; kept from frame to frame for their memory.
 struct LineRows {
-  std::vector<EdgeRow> edges;
-  std::vector<CreaseRow> crossings, creases;
+  LayerRows<EdgeRow> edges;
+  LayerRows<CreaseRow> crossings, creases;
   StepGrid steps;
 
   void begin(const SurfaceLayers& layers)
   {
-    const auto rows = static_cast<std::size_t>(layers.height);
     steps.begin(layers);
-    edges.resize(rows);
-    crossings.resize(rows);
-    creases.resize(rows);
-    for (EdgeRow& row : edges)
+    edges.begin(layers);
+    crossings.begin(layers);
+    creases.begin(layers);
+    for (EdgeRow& row : edges.all())
       row.points.clear();
-    for (std::vector<CreaseRow>* some : {&crossings, &creases})
-      for (CreaseRow& row : *some) {
+    for (LayerRows<CreaseRow>* some : {&crossings, &creases})
+      for (CreaseRow& row : some->all()) {
         row.toRight.clear();
         row.toAbove.clear();
         row.segments.clear();
@@ -93,10 +92,10 @@ void beginLayers(const Scene& scene, const FrameView& frame, SurfaceLayers& laye
 {
   layers.width = frame.width;
   layers.height = frame.height;
+  layers.apron = apronOf(scene);
   layers.offsets = samplePositions(scene.samples);
   layers.toView.emplace(scene.camera, frame.width, frame.height);
-  const std::size_t pixels =
-      static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
+  const std::size_t pixels = layers.indexOf(-layers.apron, layers.endY());
   const std::size_t room = pixels + SurfaceLayers::kSpare;
   layers.instance.resize(room);
   const bool isSingle = scene.samples == 1;
@@ -133,38 +132,36 @@ void drawImageOutlines(const OutlinePass& pass)
   const EdgeFinder finder(pass);
   thread_local LineRows memory;
   memory.begin(layers);
-  std::vector<EdgeRow>& edges = memory.edges;
-  std::vector<CreaseRow>&crossings = memory.crossings, &creases = memory.creases;
+  LayerRows<EdgeRow>& edges = memory.edges;
+  LayerRows<CreaseRow>&crossings = memory.crossings, &creases = memory.creases;
   StepGrid& steps = memory.steps;
   forEachBand(pass, [&](int first, int end) {
     NeighbourRows neighbours(layers, finder.bounds(), pass.scene.samples, pass.touched);
     for (int y = first; y < end; ++y)
-      finder.find(y, neighbours.marksOf(y), edges[static_cast<std::size_t>(y)],
-                  crossings[static_cast<std::size_t>(y)], steps);
+      finder.find(y, neighbours.marksOf(y), edges[y], crossings[y], steps);
   });
   dropSpecks(layers, crossings, edges, steps);
   dropShortCreases(layers, edges, crossings);
   forEachBand(pass, [&](int first, int end) {
     for (int y = first; y < end; ++y)
-      straightenEnds(layers, steps, y, edges);
-    const int from = first == pass.touched.y0 ? std::max(first - 1, 0) : first;
-    for (int y = from; y < std::min(end, layers.height - 1); ++y)
-      joinCrossings(pass, crossings[static_cast<std::size_t>(y)],
-                    crossings[static_cast<std::size_t>(y) + 1],
-                    creases[static_cast<std::size_t>(y)]);
+      straightenEnds(steps, y, edges);
+    const int from = first == pass.touched.y0 ? std::max(first - 1, crossings.first()) : first;
+    for (int y = from; y < std::min(end, crossings.end() - 1); ++y)
+      joinCrossings(pass, crossings[y], crossings[y + 1], creases[y]);
   });
 
   int reach = 0;
   for (const Instance& instance : pass.scene.instances)
     if (hasImageOutline(instance)) reach = std::max(reach, reachOf(instance.style));
   forEachBand(pass, [&](int first, int end) {
-    NearPixels near(pass.touched.x0, pass.touched.x1);
-    for (int y = first; y < end; ++y) {
+    NearPixels near(std::max(pass.touched.x0, 0), std::min(pass.touched.x1, layers.width));
+    for (int y = std::max(first, 0); y < std::min(end, layers.height); ++y) {
       near.begin();
-      for (int row = std::max(y - reach, 0); row <= std::min(y + reach, layers.height - 1); ++row) {
-        for (const EdgePoint& edge : edges[static_cast<std::size_t>(row)].points)
+      const int lastRow = std::min(y + reach, edges.end() - 1);
+      for (int row = std::max(y - reach, edges.first()); row <= lastRow; ++row) {
+        for (const EdgePoint& edge : edges[row].points)
           near.add(edge.column, reach);
-        for (const CreaseSegment& crease : creases[static_cast<std::size_t>(row)].segments)
+        for (const CreaseSegment& crease : creases[row].segments)
           near.add(crease.column, reach);
       }
       LineMeasure measure(pass, {finder, edges, creases, steps}, y, reach);

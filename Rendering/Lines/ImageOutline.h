@@ -12,11 +12,11 @@ struct OutlinePass {
   const Scene& scene;
   const FrameView& frame;
   const SurfaceLayers& layers;
-  PixelRectangle touched;  ///< all pixels that have layers lie in it
+  PixelRectangle touched;  ///< all pixels that have layers lie in it, also those of the apron
   int threads;
 };
 
-/// Makes the layers as large as the frame.
+/// Makes the layers as large as the frame and its apron.
 void beginLayers(const Scene& scene, const FrameView& frame, SurfaceLayers& layers);
 
 /// Draws the lines of Style::imageOutline over the finished picture. Gives the bytes of

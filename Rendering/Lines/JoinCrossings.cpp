@@ -12,7 +12,7 @@ void joinAlike(const OutlinePass& pass, const CreaseCrossing* const* met, int co
                std::vector<CreaseSegment>& segments)
 {
   const CreaseCrossing& first = *met[0];
-  const PixelPlace beside = {first.column, static_cast<int>(first.index) / pass.layers.width};
+  const PixelPlace beside = pass.layers.pixelOf(first.index);
   const auto add = [&](Vec2f from, Vec2f to) {
     segments.push_back({from, to, column, first.instance, beside, first.neighbour});
   };
@@ -33,7 +33,7 @@ void joinAlike(const OutlinePass& pass, const CreaseCrossing* const* met, int co
 void joinCrossings(const OutlinePass& pass, const CreaseRow& row, const CreaseRow& above,
                    CreaseRow& result)
 {
-  forEachSquare(row, above, [&](int column, const SquareSides& sides) {
+  forEachSquare(row, above, -pass.layers.apron, [&](int column, const SquareSides& sides) {
     const CreaseCrossing* rest[] = {sides.below, sides.left, sides.right, sides.above};
     for (int i = 0; i < 4; ++i) {
       if (rest[i] == nullptr) continue;

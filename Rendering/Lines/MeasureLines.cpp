@@ -57,11 +57,10 @@ LineMeasure::LineMeasure(const OutlinePass& pass, const FoundLines& lines, int y
       y_(y),
       reach_(reach)
 {
-  const int end = std::min(y + reach + 1, layers_.height);
-  for (int row = std::max(y - reach, 0); row < end; ++row) {
-    const std::vector<EdgePoint>& points = lines.edges[static_cast<std::size_t>(row)].points;
-    const std::vector<CreaseSegment>& segments =
-        lines.creases[static_cast<std::size_t>(row)].segments;
+  const int end = std::min(y + reach + 1, lines.edges.end());
+  for (int row = std::max(y - reach, lines.edges.first()); row < end; ++row) {
+    const std::vector<EdgePoint>& points = lines.edges[row].points;
+    const std::vector<CreaseSegment>& segments = lines.creases[row].segments;
     if (!points.empty()) edgeRows_.emplace_back(row, points);
     if (!segments.empty()) creaseRows_.emplace_back(row, segments);
   }
@@ -158,7 +157,7 @@ bool LineMeasure::isBeyondEnd(const Pixel& pixel, const NearEdge& nearest, bool 
   return true;
 }
 
-/// Whether beyond the end of a border another surface is seen, or none as beside the frame, and
+/// Whether beyond the end of a border another surface is seen, or the layers end, and
 /// also where the border would pass the pixel: then it goes on behind that. One that comes to its
 /// end has its own surface on both sides there. Where the surface ends at the border what matters
 /// is beyond it, and not the part of a pixel up to there.
@@ -169,8 +168,7 @@ bool LineMeasure::isHiddenBeyond(const Pixel& pixel, const NearEdge& nearest) co
   if (dot(towards, nearest.way) > 0.0f) towards = towards * -1.0f;
   const auto isOther = [&](Vec2f place) {
     const int x = static_cast<int>(std::floor(place.x)), y = static_cast<int>(std::floor(place.y));
-    return x < 0 || y < 0 || x >= layers_.width || y >= layers_.height ||
-           !steps_.areJoined(pixel.shown, {x, y});
+    return !layers_.isInside(x, y) || !steps_.areJoined(pixel.shown, {x, y});
   };
   const float straight = dot(normal, nearest.way);
   const float passed = nearest.edge->part < 1.0f ? straight : straight + 0.5f;
@@ -329,9 +327,9 @@ std::optional<LineMeasure::Behind> LineMeasure::placeBehind(int x) const
   if (wanted == layers_.instance[index] && steps_.isUnited(index)) return Behind{{x, y_}, false};
   std::optional<Behind> farthest;
   float depth = 0.0f;
-  const int x1 = std::min(x + 1, layers_.width - 1), y1 = std::min(y_ + 1, layers_.height - 1);
-  for (int row = std::max(y_ - 1, 0); row <= y1; ++row)
-    for (int column = std::max(x - 1, 0); column <= x1; ++column) {
+  // There is an apron: no pixel of the frame is at the layers' end.
+  for (int row = y_ - 1; row <= y_ + 1; ++row)
+    for (int column = x - 1; column <= x + 1; ++column) {
       const std::size_t other = layers_.indexOf(column, row);
       if (layers_.instance[other] != wanted || (farthest && !(layers_.depth[other] > depth)))
         continue;

@@ -16,8 +16,8 @@ int reachOf(const Style& style);
 /// Of all rows.
 struct FoundLines {
   const EdgeFinder& finder;
-  const std::vector<EdgeRow>& edges;
-  const std::vector<CreaseRow>& creases;
+  const LayerRows<EdgeRow>& edges;
+  const LayerRows<CreaseRow>& creases;
   const StepGrid& steps;
 };
 

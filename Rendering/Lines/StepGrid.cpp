@@ -10,8 +10,8 @@ namespace limn {
 void StepGrid::begin(const SurfaceLayers& layers)
 {
   layers_ = &layers;
-  width_ = static_cast<std::size_t>(layers.width);
-  parted_.resize(layers.indexOf(0, layers.height));
+  width_ = layers.stride();
+  parted_.resize(layers.indexOf(-layers.apron, layers.endY()));
 }
 
 void StepGrid::clearRow(int y, int x0, int x1)

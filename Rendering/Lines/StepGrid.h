@@ -9,10 +9,6 @@
 
 namespace limn {
 
-struct PixelPlace {
-  int x, y;
-};
-
 /// Where steps by OutlineDetector::kPlane part pixels of one instance that are next to each other,
 /// and other instances begin;
 /// and which pixels farther apart show one surface: those between which a straight way crosses
@@ -30,7 +26,7 @@ class StepGrid {
   {
     parted_[index] = static_cast<std::uint8_t>(sides);
   }
-  /// Takes away all that parts a pixel. Requires: it is not at the frame's border.
+  /// Takes away all that parts a pixel. Requires: it is not at the end of the layers.
   void unite(std::size_t index);
   bool isUnited(std::size_t index) const { return parted_[index] >= kUnited; }
 

@@ -25,15 +25,15 @@ float dot(Vec2f a, Vec2f b)
   return a.x * b.x + a.y * b.y;
 }
 
-/// Calls visit(edge, way to its foot) for those of a border that the end may be of, row by row.
+/// Calls visit(edge, way to its foot) for those of a border that the end may be of, row by row; it
+/// is of row y.
 template <class Visit>
-void forEachBefore(const EdgePoint& end, const SurfaceLayers& layers,
-                   const std::vector<EdgeRow>& edges, const Visit& visit)
+void forEachBefore(const EdgePoint& end, int y, const LayerRows<EdgeRow>& edges, const Visit& visit)
 {
-  const int y = static_cast<int>(end.index) / layers.width;
-  const int first = std::max(y - kReach, 0), last = std::min(y + kReach, layers.height - 1);
+  const int first = std::max(y - kReach, edges.first()),
+            last = std::min(y + kReach, edges.end() - 1);
   for (int row = first; row <= last; ++row) {
-    const std::vector<EdgePoint>& points = edges[static_cast<std::size_t>(row)].points;
+    const std::vector<EdgePoint>& points = edges[row].points;
     auto edge =
         std::lower_bound(points.begin(), points.end(), end.column - kReach,
                          [](const EdgePoint& point, int column) { return point.column < column; });
@@ -44,12 +44,12 @@ void forEachBefore(const EdgePoint& end, const SurfaceLayers& layers,
 }
 
 /// The nearest on whose line the end lies; none: null.
-const EdgePoint* nextBefore(const EdgePoint& end, const SurfaceLayers& layers,
-                            const StepGrid& steps, const std::vector<EdgeRow>& edges)
+const EdgePoint* nextBefore(const EdgePoint& end, int y, const StepGrid& steps,
+                            const LayerRows<EdgeRow>& edges)
 {
   const EdgePoint* next = nullptr;
   float least = kNext * kNext;
-  forEachBefore(end, layers, edges, [&](const EdgePoint& edge, Vec2f way) {
+  forEachBefore(end, y, edges, [&](const EdgePoint& edge, Vec2f way) {
     const float squared = dot(way, way);
     if (!(squared < least) || !(dot(edge.normal, end.normal) >= kTurned)) return;
     if (!(std::fabs(dot(edge.normal, way)) <= kSameBorder)) return;
@@ -62,17 +62,16 @@ const EdgePoint* nextBefore(const EdgePoint& end, const SurfaceLayers& layers,
 
 }  // namespace
 
-void straightenEnds(const SurfaceLayers& layers, const StepGrid& steps, int y,
-                    std::vector<EdgeRow>& edges)
+void straightenEnds(const StepGrid& steps, int y, LayerRows<EdgeRow>& edges)
 {
-  for (EdgePoint& end : edges[static_cast<std::size_t>(y)].points) {
+  for (EdgePoint& end : edges[y].points) {
     if (!end.isBesideHidden) continue;
-    const EdgePoint* const next = nextBefore(end, layers, steps, edges);
+    const EdgePoint* const next = nextBefore(end, y, steps, edges);
     if (next == nullptr) continue;
     // Weighted by their distance: those beside the end are turned a little, too.
     Vec2f normals = {0.0f, 0.0f}, ways = {0.0f, 0.0f};
     float weights = 0.0f;
-    forEachBefore(end, layers, edges, [&](const EdgePoint& edge, Vec2f way) {
+    forEachBefore(end, y, edges, [&](const EdgePoint& edge, Vec2f way) {
       if (!(dot(edge.normal, next->normal) >= kSameWay)) return;
       if (!(std::fabs(dot(next->normal, edge.foot - next->foot)) <= kSameBorder)) return;
       if (!steps.areJoined(end.shown, edge.shown)) return;

@@ -9,6 +9,8 @@
 #include "Rendering/Scene.h"
 #include "Rendering/Vertex/ScreenToView.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -46,13 +48,20 @@ struct LayerVectors {
   Vec3f operator[](std::size_t i) const { return {x[i], y[i], z[i]}; }
 };
 
-/// The layers of a frame, row by row from below, without gaps between rows. Kept from frame to
-/// frame for their memory.
+struct PixelPlace {
+  int x, y;
+};
+
+/// The layers of a frame and its apron, row by row from below, without gaps between rows. Kept from
+/// frame to frame for their memory.
 struct SurfaceLayers {
   /// Elements behind the last pixel's, for vectors to read.
   static constexpr std::size_t kSpare = 64;
 
-  int width = 0, height = 0;
+  int width = 0, height = 0;  ///< of the frame
+  /// Pixels around it, which have numbers below 0, and from `width` or `height` on. They have no
+  /// colours, radiance and halos.
+  int apron = 0;
   Span<const SampleOffset> offsets;
   std::optional<ScreenToView> toView;
   /// Place in Scene::instances; kNobody: the others mean nothing. Set in and next to the pixels
@@ -64,7 +73,7 @@ struct SurfaceLayers {
   Array<std::uint8_t> sample;  ///< the nearest
   Array<std::uint8_t> count, shared, covered;
   Array<std::uint32_t> other;
-  Array<float> depth;  ///< of that sample
+  Array<float> depth;  ///< of that sample; in the apron also what was there before
   LayerVectors normal, plane;
   Array<Rgba8> color;
   Array<Vec3f> radiance;  ///< the mean of the layer's; empty unless the frame has radiance
@@ -81,10 +90,24 @@ struct SurfaceLayers {
                                   ///< these; 0: there are none
   Array<std::uint8_t> idSamples;  ///< how many of `count` show it
 
+  std::size_t stride() const { return static_cast<std::size_t>(width + 2 * apron); }
+  int endX() const { return width + apron; }
+  int endY() const { return height + apron; }
+  bool isInside(int x, int y) const
+  {
+    return x >= -apron && y >= -apron && x < endX() && y < endY();
+  }
+  bool isAtEnd(int x, int y) const
+  {
+    return x == -apron || y == -apron || x + 1 == endX() || y + 1 == endY();
+  }
   std::size_t indexOf(int x, int y) const
   {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-           static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y + apron) * stride() + static_cast<std::size_t>(x + apron);
+  }
+  PixelPlace pixelOf(std::size_t index) const
+  {
+    return {static_cast<int>(index % stride()) - apron, static_cast<int>(index / stride()) - apron};
   }
   // Of these, all require that an instance is there.
   Vec2f placeAt(int x, int y) const
@@ -120,8 +143,8 @@ struct SurfaceLayers {
   std::uint8_t countAt(std::size_t i) const { return isSingle ? std::uint8_t{1} : count[i]; }
   ViewPoint pointAt(std::size_t index) const
   {
-    const auto columns = static_cast<std::size_t>(width);
-    return pointAt(static_cast<int>(index % columns), static_cast<int>(index / columns));
+    const PixelPlace pixel = pixelOf(index);
+    return pointAt(pixel.x, pixel.y);
   }
 };
 
@@ -129,6 +152,17 @@ inline bool hasImageOutline(const Instance& instance)
 {
   return instance.style.imageOutline.detector != OutlineDetector::kNone &&
          instance.style.outlineWidth > 0.0f && !instance.isTranslucent();
+}
+
+/// How many pixels outside of a frame its lines come from.
+inline int apronOf(const Scene& scene)
+{
+  int apron = 0;
+  for (const Instance& instance : scene.instances)
+    if (hasImageOutline(instance))
+      apron = std::max(
+          apron, static_cast<int>(std::ceil(instance.style.outlineWidth)) + ImageOutline::kApron);
+  return apron;
 }
 
 inline bool hasIdBorders(const Instance& instance)

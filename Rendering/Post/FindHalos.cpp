@@ -27,6 +27,7 @@ void HaloFinder::find()
   SurfaceLayers& layers = pass_.layers;
   borders_.resize(static_cast<std::size_t>(layers.height));
   layers.halo.resize(layers.instance.size());
+  if (layers.apron > 0) std::fill_n(layers.halo.data(), layers.halo.size(), 0.0f);
   layers.haloOwner.resize(layers.instance.size());
   layers.ends.resize(layers.instance.size());
   if (cutsPanes_) layers.haloBorder.resize(layers.instance.size());

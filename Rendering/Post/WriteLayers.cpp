@@ -47,7 +47,8 @@ class LayerWriter {
         std::fill_n(layers_.instance.data() + index, length, instanceOf(tile_.owner[0][run.pixel]));
       copyVectors(colors_.pixelNormal, run.pixel, length, layers_.normal, index);
       copyVectors(colors_.pixelPlane, run.pixel, length, layers_.plane, index);
-      std::copy_n(colors_.pixel + run.pixel, length, layers_.color.data() + index);
+      if (colors_.hasColors)
+        std::copy_n(colors_.pixel + run.pixel, length, layers_.color.data() + index);
       writeNearest(run, index);
       for (std::size_t i = 0; colors_.hasRadiance && i < length; ++i)
         layers_.radiance[index + i] = radianceOf(colors_.pixelRadiance, run.pixel + i);
@@ -144,7 +145,8 @@ class LayerWriter {
     else
       setInstances(first, length, index);
     std::copy_n(tile_.depth[0] + pixel, length, layers_.depth.data() + index);
-    std::copy_n(colors_.fragment.data() + first, length, layers_.color.data() + index);
+    if (colors_.hasColors)
+      std::copy_n(colors_.fragment.data() + first, length, layers_.color.data() + index);
     copyVectors(colors_.fragmentNormal, first, length, layers_.normal, index);
     copyVectors(colors_.fragmentPlane, first, length, layers_.plane, index);
     for (std::size_t i = 0; colors_.hasRadiance && i < length; ++i)
@@ -178,7 +180,7 @@ class LayerWriter {
     const std::uint32_t samples = bitCount(coverage);
     setCounts(index, samples, samples);
     setSurface(index, fragments_.owner[f], f);
-    layers_.color[index] = colors_.fragment[f];
+    if (colors_.hasColors) layers_.color[index] = colors_.fragment[f];
     if (!colors_.hasRadiance) return;
     const auto n = static_cast<float>(samples);
     const Vec3f sum = radianceOf(colors_.fragmentRadiance, f) * n;
@@ -209,13 +211,14 @@ class LayerWriter {
         if (other == kNobody) other = instanceOf(fragments_.owner[f]);
         continue;
       }
-      sum.add(colors_.fragment[f], samples);
+      if (colors_.hasColors) sum.add(colors_.fragment[f], samples);
       if (colors_.hasRadiance)
         radiance = radiance + radianceOf(colors_.fragmentRadiance, f) * static_cast<float>(samples);
       count += samples;
     }
-    layers_.color[index] =
-        resolved_ != nullptr && count == allSamples_ ? resolvedAt(pixel) : sum.mean();
+    if (colors_.hasColors)
+      layers_.color[index] =
+          resolved_ != nullptr && count == allSamples_ ? resolvedAt(pixel) : sum.mean();
     setCounts(index, count, covered);
     const auto n = static_cast<float>(count);
     if (colors_.hasRadiance)

@@ -10,8 +10,8 @@ namespace limn {
 /// Where the layers of a frame go.
 struct LayerTarget {
   Background background;
-  SurfaceLayers& layers;  ///< as large as the viewport
-  bool isWhole;           ///< pixels far from all that were touched are set to nobody's, too
+  SurfaceLayers& layers;
+  bool isWhole;  ///< pixels far from all that were touched are set to nobody's, too
 };
 
 /// Pixels of a tile that hold their means already, all of them of opaque surfaces.

@@ -36,6 +36,13 @@ bool TileClusters::drawnLater(std::uint32_t fresh, std::uint32_t old) const
 void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
                VisibilityTile& tile)
 {
+  clearTile({frame.depth + pixels.y0 * frame.rowStride + pixels.x0, frame.rowStride}, pixels,
+            samples, tile);
+}
+
+void clearTile(const DepthRows& depths, const TileRectangle& pixels, int samples,
+               VisibilityTile& tile)
+{
   constexpr float kBeforeEverything = -1.0f;
   tile.stale = ~std::uint64_t{0};
   for (int s = 0; s < samples; ++s) {
@@ -45,7 +52,7 @@ void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
     for (int y = 0; y < height; ++y) {
       float* const row = tile.depth[s] + y * kTileSide;
       // A fresh tile's depth may lie there already.
-      const float* const old = frame.depth + (pixels.y0 + y) * frame.rowStride + pixels.x0;
+      const float* const old = depths.first + y * depths.stride;
       if (old != row) std::copy_n(old, width, row);
       std::fill(row + width, row + kTileSide, kBeforeEverything);
     }

@@ -62,6 +62,14 @@ struct alignas(64) VisibilityTile {
 /// frame get a depth before everything.
 void clearTile(const FrameView& frame, const TileRectangle& pixels, int samples,
                VisibilityTile& tile);
+/// Depths of a tile's pixels, row by row.
+struct DepthRows {
+  const float* first;
+  std::ptrdiff_t stride;
+};
+/// The same with these.
+void clearTile(const DepthRows& depths, const TileRectangle& pixels, int samples,
+               VisibilityTile& tile);
 
 /// Lists a tile's clusters, first those of opaque instances, roughly from front to back if
 /// occlusion culling is on, then those of translucent ones. Returns how many are opaque.

@@ -26,7 +26,7 @@ struct Edge {
   std::uint32_t of;     ///< the instance whose surface is bounded
   Pixel shown;          ///< shows that surface
   float part;           ///< of its line's width that lies inside; the rest is the other surface's
-  bool isBesideHidden;  ///< beside its pixel the surface may go on behind another, or the frame
+  bool isBesideHidden;  ///< beside its pixel the surface may go on unseen
 };
 
 struct Segment {
@@ -73,22 +73,20 @@ std::uint8_t roundedByte(float x)
 class Outlines {
  public:
   Outlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
-      : scene_(scene), frame_(frame), layers_(layers)
+      : scene_(scene), frame_(frame), layers_(layers), apron_(outlineApron(scene))
   {
     edges_.resize(layers.size());
     right_.resize(layers.size());
     above_.resize(layers.size());
     isUnited_.resize(layers.size());
     segments_.resize(layers.size());
-    for (int y = 0; y < frame.height; ++y)
-      for (int x = 0; x < frame.width; ++x)
-        findAt({x, y});
+    forEachPixel([&](Pixel p) { findAt(p); });
     dropSpecks();
     dropShortCreases();
     straightenEnds();
-    for (int y = 0; y + 1 < frame.height; ++y)
-      for (int x = 0; x < frame.width; ++x)
-        joinAt({x, y});
+    forEachPixel([&](Pixel p) {
+      if (isInside({p.x, p.y + 1})) joinAt(p);
+    });
   }
 
   void draw() const
@@ -104,13 +102,23 @@ class Outlines {
  private:
   std::size_t index(Pixel p) const
   {
-    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(frame_.width) +
-           static_cast<std::size_t>(p.x);
+    return static_cast<std::size_t>(p.y + apron_) *
+               static_cast<std::size_t>(frame_.width + 2 * apron_) +
+           static_cast<std::size_t>(p.x + apron_);
+  }
+  /// Of the frame and the apron, row by row.
+  template <class Visit>
+  void forEachPixel(Visit visit) const
+  {
+    for (int y = -apron_; y < frame_.height + apron_; ++y)
+      for (int x = -apron_; x < frame_.width + apron_; ++x)
+        visit(Pixel{x, y});
   }
   const Layer& layer(Pixel p) const { return layers_[index(p)]; }
   bool isInside(Pixel p) const
   {
-    return p.x >= 0 && p.y >= 0 && p.x < frame_.width && p.y < frame_.height;
+    return p.x >= -apron_ && p.y >= -apron_ && p.x < frame_.width + apron_ &&
+           p.y < frame_.height + apron_;
   }
   const Style& styleAt(Pixel p) const { return scene_.instances[layer(p).instance].style; }
   bool isOutlined(std::uint32_t instance) const
@@ -238,10 +246,7 @@ class Outlines {
   float coverage(Pixel p, Pixel q) const
   {
     if (!isInside(q)) return 1;
-    if (layer(q).instance == kNobody) {
-      const auto depth = [&](Pixel at) { return frame_.depth[at.y * frame_.rowStride + at.x]; };
-      return depth(q) < depth(p) ? 1.0f : 0.0f;
-    }
+    if (layer(q).instance == kNobody) return layer(q).depth < layer(p).depth ? 1.0f : 0.0f;
     if (layer(q).instance == layer(p).instance) {
       if (!isOutlined(layer(p).instance) || !isEdge(p, q)) return own(q);
       return ownsEdge(p, q) ? 0.0f : 1.0f;
@@ -358,7 +363,7 @@ class Outlines {
     float part;   ///< of the line between them that is the pixel's
     bool isCut;
     float theirs;   ///< that of what is there, if that is another instance
-    bool isHiding;  ///< the pixel's surface may go on behind what is there, or outside the frame
+    bool isHiding;  ///< the pixel's surface may go on behind what is there, or is not known there
   };
   Neighbour neighbour(Pixel p, Pixel q) const
   {
@@ -462,16 +467,15 @@ class Outlines {
     const float bounded = off > -one ? std::min(off, one) : -one;
     return bounded * (1.0f - 2.0f * std::fabs(leanTowards(p, q)));
   }
-  /// Straightens borders where they come to what hides them, or to the frame, which turns them: as
-  /// the others within six pixels lie in the mean, the farther the more. Nothing is known of ends
-  /// that have no edge of theirs within three pixels, or that would be moved by more than half a
-  /// pixel.
+  /// Straightens borders where they come to what hides them, or to the apron's end, which turns
+  /// them: as the others within six pixels lie in the mean, the farther the more. Nothing is known
+  /// of ends that have no edge of theirs within three pixels, or that would be moved by more than
+  /// half a pixel.
   void straightenEnds()
   {
-    for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x)
-        for (Edge& edge : edges_[index({x, y})])
-          if (edge.isBesideHidden) straighten(edge);
+    for (std::vector<Edge>& edges : edges_)
+      for (Edge& edge : edges)
+        if (edge.isBesideHidden) straighten(edge);
   }
   void straighten(Edge& end) const
   {
@@ -526,50 +530,48 @@ class Outlines {
   }
 
   /// Takes away edges that are seen in few pixels, none of which touches another instance's, or
-  /// nobody's, or the frame's border. They part no pixels, and are creases where normals differ.
+  /// nobody's, or the apron's end. They part no pixels, and are creases where normals differ.
   /// Where these do not, but a crossing leaves the pixel or one that touches it, they are parts of
   /// its line and stay.
   void dropSpecks()
   {
     std::vector<bool> isSeen(edges_.size(), false);
-    for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x) {
-        if (isSeen[index({x, y})] || !hasOwnEdge({x, y})) continue;
-        std::vector<Pixel> found = {{x, y}};
-        isSeen[index({x, y})] = true;
-        bool isKept = false;
-        for (std::size_t i = 0; i < found.size(); ++i) {
-          const Pixel p = found[i];
-          const bool isBent = std::all_of(std::begin(kBeside), std::end(kBeside), [&](Pixel d) {
-            const Pixel q = {p.x + d.x, p.y + d.y};
-            return !isStepTo(p, q) || isCrease(p, q);
-          });
-          for (int dy = -1; dy <= 1; ++dy)
-            for (int dx = -1; dx <= 1; ++dx) {
-              const Pixel q = {p.x + dx, p.y + dy};
-              if (!isInside(q) || layer(q).instance != layer(p).instance) {
-                isKept = true;
-                continue;
-              }
-              if (!isBent && (right_[index(q)] || above_[index(q)])) isKept = true;
-              if (isSeen[index(q)] || !hasOwnEdge(q)) continue;
-              isSeen[index(q)] = true;
-              found.push_back(q);
+    forEachPixel([&](Pixel start) {
+      if (isSeen[index(start)] || !hasOwnEdge(start)) return;
+      std::vector<Pixel> found = {start};
+      isSeen[index(start)] = true;
+      bool isKept = false;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const Pixel p = found[i];
+        const bool isBent = std::all_of(std::begin(kBeside), std::end(kBeside), [&](Pixel d) {
+          const Pixel q = {p.x + d.x, p.y + d.y};
+          return !isStepTo(p, q) || isCrease(p, q);
+        });
+        for (int dy = -1; dy <= 1; ++dy)
+          for (int dx = -1; dx <= 1; ++dx) {
+            const Pixel q = {p.x + dx, p.y + dy};
+            if (!isInside(q) || layer(q).instance != layer(p).instance) {
+              isKept = true;
+              continue;
             }
-        }
-        if (isKept || found.size() >= ImageOutline::kSmallestStep) continue;
-        for (const Pixel p : found) {
-          edges_[index(p)].clear();
-          isUnited_[index(p)] = true;
-        }
+            if (!isBent && (right_[index(q)] || above_[index(q)])) isKept = true;
+            if (isSeen[index(q)] || !hasOwnEdge(q)) continue;
+            isSeen[index(q)] = true;
+            found.push_back(q);
+          }
       }
-    for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x) {
-        const Pixel p = {x, y};
-        if (!isOutlined(layer(p).instance)) continue;
-        if (isSpeckTo(p, {x + 1, y})) right_[index(p)] = crossingPlace(p, {x + 1, y});
-        if (isSpeckTo(p, {x, y + 1})) above_[index(p)] = crossingPlace(p, {x, y + 1});
+      if (isKept || found.size() >= ImageOutline::kSmallestStep) return;
+      for (const Pixel p : found) {
+        edges_[index(p)].clear();
+        isUnited_[index(p)] = true;
       }
+    });
+    forEachPixel([&](Pixel p) {
+      if (!isOutlined(layer(p).instance)) return;
+      const Pixel right = {p.x + 1, p.y}, above = {p.x, p.y + 1};
+      if (isSpeckTo(p, right)) right_[index(p)] = crossingPlace(p, right);
+      if (isSpeckTo(p, above)) above_[index(p)] = crossingPlace(p, above);
+    });
   }
 
   bool hasOwnEdge(Pixel p) const
@@ -630,21 +632,21 @@ class Outlines {
       isSeen[way.isRight][index(way.from)] = true;
       found.push_back(way);
     };
-    for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x)
-        for (const bool isRight : {true, false}) {
-          std::vector<Way> found;
-          see({{x, y}, isRight}, found);
-          for (std::size_t i = 0; i < found.size(); ++i)
-            for (const Way& way : besideOf(found[i]))
-              see(way, found);
-          const bool isKept = std::any_of(found.begin(), found.end(), [&](const Way& way) {
-            return hasIdBorder(way) || endsAtLine(way.from) || endsAtLine(way.to());
-          });
-          if (isKept || found.size() >= ImageOutline::kShortestCrease) continue;
-          for (const Way& way : found)
-            (way.isRight ? right_ : above_)[index(way.from)].reset();
-        }
+    forEachPixel([&](Pixel p) {
+      for (const bool isRight : {true, false}) {
+        std::vector<Way> found;
+        see({p, isRight}, found);
+        for (std::size_t i = 0; i < found.size(); ++i)
+          for (const Way& way : besideOf(found[i]))
+            see(way, found);
+        const bool isKept = std::any_of(found.begin(), found.end(), [&](const Way& way) {
+          return hasIdBorder(way) || endsAtLine(way.from) || endsAtLine(way.to());
+        });
+        if (isKept || found.size() >= ImageOutline::kShortestCrease) continue;
+        for (const Way& way : found)
+          (way.isRight ? right_ : above_)[index(way.from)].reset();
+      }
+    });
   }
 
   bool isStepTo(Pixel p, Pixel q) const
@@ -869,7 +871,7 @@ class Outlines {
   {
     const Layer& l = layer(p);
     if (l.instance == kNobody || l.covered == l.count || !isOutlined(l.other)) return 0;
-    const auto depth = [&](Pixel q) { return frame_.depth[q.y * frame_.rowStride + q.x]; };
+    const auto depth = [&](Pixel q) { return layer(q).depth; };
     std::vector<Pixel> behind;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
@@ -1077,6 +1079,7 @@ class Outlines {
   const Scene& scene_;
   const FrameView& frame_;
   const std::vector<Layer>& layers_;
+  int apron_;
   std::vector<std::vector<Edge>> edges_;  ///< by the pixel that they run through or beside
   std::vector<std::optional<Vec2f>> right_, above_;  ///< creases towards these neighbours
   std::vector<bool> isUnited_;                       ///< had an edge that was a speck's
@@ -1125,6 +1128,15 @@ float meanOfRest(float pixel, float own, const Layer& l)
 {
   const float sum = pixel * static_cast<float>(l.shared) - own * static_cast<float>(l.count);
   return std::max(0.0f, sum) / static_cast<float>(l.shared - l.count);
+}
+
+int outlineApron(const Scene& scene)
+{
+  float widest = 0;
+  for (const Instance& instance : scene.instances)
+    if (instance.style.imageOutline.detector != OutlineDetector::kNone && !instance.isTranslucent())
+      widest = std::max(widest, instance.style.outlineWidth);
+  return widest > 0 ? static_cast<int>(std::ceil(widest)) + ImageOutline::kApron : 0;
 }
 
 void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)

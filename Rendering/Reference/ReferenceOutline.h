@@ -14,7 +14,8 @@ namespace limn::reference {
 /// What a pixel shows of the surface that its nearest sample lies on.
 struct Layer {
   std::uint32_t instance = kNobody;  ///< place in Scene::instances; kNobody: nothing is shown
-  Vec2f place;                       ///< of the nearest sample; pixels
+  float depth = 1;                   ///< of the nearest sample, or of what was there before
+  Vec2f place;                       ///< of that sample; pixels
   ViewPoint point;
   Vec3f normal;       ///< FrameView::normal
   Vec3f plane;        ///< that of the triangle's plane
@@ -43,8 +44,11 @@ float toleranceAt(const Scene& scene, const Layer& p);
 std::uint8_t meanOfRest(std::uint8_t pixel, std::uint8_t own, const Layer& l, Resolve resolve);
 float meanOfRest(float pixel, float own, const Layer& l);  ///< of radiance
 
-/// Draws the lines of Style::imageOutline, pixel after pixel. `layers` are those of all pixels, row
-/// by row.
+/// How many pixels around the frame lines may come from.
+int outlineApron(const Scene& scene);
+
+/// Draws the lines of Style::imageOutline, pixel after pixel. `layers` are those of all pixels of
+/// the frame and of the apron around it, row by row.
 void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers);
 
 }  // namespace limn::reference

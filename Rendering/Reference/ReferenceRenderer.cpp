@@ -306,9 +306,11 @@ Rgba8 meanColor(const std::vector<Rgba8>& colors, Resolve resolve)
 
 class Picture {
  public:
-  Picture(const Scene& scene, const FrameView& frame)
+  /// With so many pixels more on all sides, which show what is opaque.
+  Picture(const Scene& scene, const FrameView& frame, int apron)
       : scene_(scene),
         frame_(frame),
+        apron_(apron),
         offsets_(samplePositions(scene.samples)),
         lights_(placeLights(scene.lights, scene.camera))
   {
@@ -317,12 +319,12 @@ class Picture {
       placed_.emplace_back(scene, instance.hull != nullptr ? hulls_.back().instance : instance,
                            frame);
     }
-    samples_.resize(static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height) *
-                    offsets_.size());
-    for (int y = 0; y < frame.height; ++y)
-      for (int x = 0; x < frame.width; ++x)
+    samples_.resize(static_cast<std::size_t>(frame.width + 2 * apron) *
+                    static_cast<std::size_t>(frame.height + 2 * apron) * offsets_.size());
+    for (int y = -apron; y < frame.height + apron; ++y)
+      for (int x = -apron; x < frame.width + apron; ++x)
         for (std::size_t s = 0; s < offsets_.size(); ++s)
-          sample(x, y, s) = {frame.depth[frameIndex(x, y)], {}};
+          sample(x, y, s) = {depthBefore(x, y), {}};
   }
 
   void findVisible()
@@ -355,13 +357,23 @@ class Picture {
     return truncated;
   }
 
-  /// What each pixel shows first, row by row.
+  /// What each pixel of the frame shows first, row by row.
   std::vector<Layer> layersOfAll()
   {
     std::vector<Layer> result;
     for (int y = 0; y < frame_.height; ++y)
       for (int x = 0; x < frame_.width; ++x)
         result.push_back(layerOf(x, y));
+    return result;
+  }
+  /// The same with those around it, the frame's as they are by now.
+  std::vector<Layer> withApron(const std::vector<Layer>& layers)
+  {
+    std::vector<Layer> result;
+    auto next = layers.begin();
+    for (int y = -apron_; y < frame_.height + apron_; ++y)
+      for (int x = -apron_; x < frame_.width + apron_; ++x)
+        result.push_back(isInFrame(x, y) ? *next++ : layerOf(x, y));
     return result;
   }
 
@@ -465,10 +477,21 @@ class Picture {
   }
 
   std::ptrdiff_t frameIndex(int x, int y) const { return y * frame_.rowStride + x; }
+  /// Around the frame that of its border.
+  float depthBefore(int x, int y) const
+  {
+    return frame_
+        .depth[frameIndex(std::clamp(x, 0, frame_.width - 1), std::clamp(y, 0, frame_.height - 1))];
+  }
+  bool isInFrame(int x, int y) const
+  {
+    return x >= 0 && y >= 0 && x < frame_.width && y < frame_.height;
+  }
   Sample& sample(int x, int y, std::size_t s)
   {
-    const std::size_t pixel = static_cast<std::size_t>(y) * static_cast<std::size_t>(frame_.width) +
-                              static_cast<std::size_t>(x);
+    const std::size_t pixel =
+        static_cast<std::size_t>(y + apron_) * static_cast<std::size_t>(frame_.width + 2 * apron_) +
+        static_cast<std::size_t>(x + apron_);
     return samples_[pixel * offsets_.size() + s];
   }
   /// Translucent triangles in a sample, in the end without repetition and farthest first.
@@ -497,10 +520,11 @@ class Picture {
         std::minmax({triangle.vertex[0].x, triangle.vertex[1].x, triangle.vertex[2].x});
     const auto [bottom, top] =
         std::minmax({triangle.vertex[0].y, triangle.vertex[1].y, triangle.vertex[2].y});
-    const int x0 = std::max(0, left >> kSubpixelBits);
-    const int x1 = std::min(frame_.width - 1, right >> kSubpixelBits);
-    const int y0 = std::max(0, bottom >> kSubpixelBits);
-    const int y1 = std::min(frame_.height - 1, top >> kSubpixelBits);
+    const int apron = isTranslucent ? 0 : apron_;
+    const int x0 = std::max(-apron, left >> kSubpixelBits);
+    const int x1 = std::min(frame_.width + apron - 1, right >> kSubpixelBits);
+    const int y0 = std::max(-apron, bottom >> kSubpixelBits);
+    const int y1 = std::min(frame_.height + apron - 1, top >> kSubpixelBits);
     for (int y = y0; y <= y1; ++y)
       for (int x = x0; x <= x1; ++x)
         for (std::size_t s = 0; s < offsets_.size(); ++s) {
@@ -748,6 +772,7 @@ class Picture {
     const Point p = position(x, y, offsets_[s]);
     Layer layer;
     layer.instance = here.owner.instance;
+    layer.depth = here.depth;
     layer.place = {static_cast<float>(p.x) / kSubpixels, static_cast<float>(p.y) / kSubpixels};
     layer.point = toView.at(layer.place.x, layer.place.y, here.depth);
     layer.normal = normalOf(x, y, here.owner);
@@ -769,7 +794,11 @@ class Picture {
   Layer layerOf(int x, int y)
   {
     const Sample* const nearest = nearestSample(x, y);
-    if (nearest == nullptr) return {};
+    if (nearest == nullptr) {
+      Layer nobody;
+      nobody.depth = sample(x, y, 0).depth;
+      return nobody;
+    }
     const ScreenToView toView(scene_.camera, frame_.width, frame_.height);
     const auto first = static_cast<std::size_t>(nearest - &sample(x, y, 0));
     Layer layer = layerAt(x, y, first, toView);
@@ -792,7 +821,7 @@ class Picture {
         continue;
       }
       ids.push_back(idOf(owner));
-      const Vec3f color = shadeOwner(x, y, owner);
+      const Vec3f color = isInFrame(x, y) ? shadeOwner(x, y, owner) : Vec3f{0, 0, 0};
       colors.push_back({toByte(color.x), toByte(color.y), toByte(color.z), 255});
       note(triangles, owner, color);
     }
@@ -898,6 +927,7 @@ class Picture {
 
   const Scene& scene_;
   const FrameView& frame_;
+  int apron_;
   Span<const SampleOffset> offsets_;
   std::vector<ViewLight> lights_;
   std::deque<Hull> hulls_;  ///< which do not move
@@ -935,7 +965,7 @@ bool hasPanes(const Scene& scene, const FrameView& frame)
 
 std::size_t render(const Scene& scene, const FrameView& frame)
 {
-  Picture picture(scene, frame);
+  Picture picture(scene, frame, outlineApron(scene));
   picture.findVisible();
   const std::size_t truncated = picture.findTranslucent();
   const bool hasVeil = isVeiled(scene, frame);
@@ -948,7 +978,7 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   std::vector<Layer> layers;
   if (areCued || areOutlined) layers = picture.layersOfAll();
   if (areCued) drawCues(scene, frame, layers);
-  if (areOutlined) drawOutlines(scene, frame, layers);
+  if (areOutlined) drawOutlines(scene, frame, picture.withApron(layers));
   const HalosOverPanes halos(scene, frame, layers);
   if (hasVeil && areCued) picture.setHalos(&halos);
   if (hasVeil) picture.layVeil();

@@ -113,6 +113,7 @@ inline int smoothLevelsOf(const Instance& instance)
 struct TileColors {
   Rgba8* pixel;           ///< where runs lie; room for kTilePixels, aligned to 64 bytes
   Array<Rgba8> fragment;  ///< as FragmentList lists them
+  bool hasColors = true;  ///< asks the shader for them
   RadianceArrays pixelRadiance, fragmentRadiance;  ///< of the two; only with hasRadiance
   bool hasRadiance = false;                        ///< asks the shader for them
   VectorArrays pixelNormal, fragmentNormal;        ///< FrameView::normal; only with hasNormals
@@ -141,10 +142,13 @@ class FragmentShader {
     Span<const std::uint32_t> owner, pixel;
     const std::uint16_t* coverage;
   };
-  /// Lights the fragments in `batch_` and calls keep(placed, numbers) for each batch.
+  /// Fills `batch_` with them and calls keep(placed, numbers) for each batch.
   template <class Keep>
-  void forEachLit(const TileClusters& clusters, const TileRectangle& pixels, int samples,
-                  const Places& places, Keep keep);
+  void forEachPlaced(const TileClusters& clusters, const TileRectangle& pixels, int samples,
+                     const Places& places, Keep keep);
+  /// The fragments in `batch_`.
+  void light(const TileClusters& clusters, const PlacedInstance& placed,
+             const TileRectangle& pixels);
   /// Calls shade(placed, numbers) for batches of one instance, with their owners in `batch_`, until
   /// each owner has had its turn. `numbers` say which owners.
   template <class Shade>

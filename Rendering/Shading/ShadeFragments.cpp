@@ -340,8 +340,8 @@ void FragmentShader::keepVectors(Span<const std::uint32_t> numbers, VectorArrays
 }
 
 template <class Keep>
-void FragmentShader::forEachLit(const TileClusters& clusters, const TileRectangle& pixels,
-                                int samples, const Places& places, Keep keep)
+void FragmentShader::forEachPlaced(const TileClusters& clusters, const TileRectangle& pixels,
+                                   int samples, const Places& places, Keep keep)
 {
   const ShadingOffsets offsets(samples);
   forEachBatch(clusters, places.owner, [&](const PlacedInstance& placed, auto numbers) {
@@ -352,12 +352,17 @@ void FragmentShader::forEachLit(const TileClusters& clusters, const TileRectangl
         setPoint(batch_, i, places.pixel[numbers[i]], offsets[places.coverage[numbers[i]]]);
     fillBatch(clusters, placed, pixels);
     placeClippedFragments(clusters);
-    if (isProgrammed(placed))
-      runSurfaceShader({clusters.scene, &placed}, clusters, pixels, batch_);
-    else
-      lightFragments({clusters.scene, &placed}, batch_);
     keep(placed, numbers);
   });
+}
+
+void FragmentShader::light(const TileClusters& clusters, const PlacedInstance& placed,
+                           const TileRectangle& pixels)
+{
+  if (isProgrammed(placed))
+    runSurfaceShader({clusters.scene, &placed}, clusters, pixels, batch_);
+  else
+    lightFragments({clusters.scene, &placed}, batch_);
 }
 
 void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pixels, int samples,
@@ -377,7 +382,8 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   const TranslucentFragments::Rest& rest = fragments.rest();
   const Places places = {
       {rest.owner.data(), rest.count}, {rest.pixel.data(), rest.count}, rest.coverage.data()};
-  forEachLit(clusters, pixels, samples, places, [&](const PlacedInstance& placed, auto numbers) {
+  forEachPlaced(clusters, pixels, samples, places, [&](const PlacedInstance& placed, auto numbers) {
+    light(clusters, placed, pixels);
     fadeFragments({clusters.scene, &placed}, batch_);
     boundRadiance(batch_);
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -400,9 +406,9 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
       setPoint(batch_, i, fragments.run[fragments.firstRun[numbers[i]]].pixel, kPixelCentre);
     fillBatch(clusters, placed, pixels);
     const ShadingContext context = {clusters.scene, &placed};
-    if (isProgrammed(placed))
+    if (colors.hasColors && isProgrammed(placed))
       runSurfaceShader(context, clusters, pixels, fragments, numbers, batch_, colors);
-    else
+    else if (colors.hasColors)
       shadeTriangles(context, pixels, fragments, numbers, batch_, colors);
     if (colors.hasNormals) findNormals(context, pixels, fragments, numbers, batch_, colors);
     for (std::size_t i = 0; i < numbers.size(); ++i)
@@ -416,10 +422,13 @@ void FragmentShader::shade(const TileClusters& clusters, const TileRectangle& pi
   const Places places = {{fragments.owner.data(), fragments.count},
                          {fragments.pixel.data(), fragments.count},
                          fragments.coverage.data()};
-  forEachLit(clusters, pixels, samples, places, [&](const PlacedInstance& placed, auto numbers) {
-    Rgba8 shaded[FragmentBatch::kCapacity];
-    quantizeFragments(batch_, shaded);
-    keep(shaded, numbers, colors.fragment);
+  forEachPlaced(clusters, pixels, samples, places, [&](const PlacedInstance& placed, auto numbers) {
+    if (colors.hasColors) {
+      light(clusters, placed, pixels);
+      Rgba8 shaded[FragmentBatch::kCapacity];
+      quantizeFragments(batch_, shaded);
+      keep(shaded, numbers, colors.fragment);
+    }
     if (colors.hasRadiance) keepRadiance(numbers, colors.fragmentRadiance);
     if (colors.hasNormals) {
       findNormals({clusters.scene, &placed}, batch_);

@@ -16,11 +16,12 @@ std::uint32_t PlacedScene::instanceOf(std::uint32_t cluster) const
   return static_cast<std::uint32_t>(next - instances.begin() - 1);
 }
 
-PlacedScene placeScene(const Scene& scene, int width, int height,
+PlacedScene placeScene(const Scene& scene, const Viewport& viewport,
                        const Optimizations& optimizations, int threads)
 {
-  PlacedScene placed = {&scene, width, height,       {}, placeLights(scene.lights, scene.camera),
-                        {},     0,     optimizations};
+  PlacedScene placed = {&scene, viewport, {},           placeLights(scene.lights, scene.camera),
+                        {},     0,        optimizations};
+  const int width = viewport.width, height = viewport.height;
   placed.instances.reserve(scene.instances.size());
   for (const Instance& given : scene.instances) {
     if (given.hull != nullptr)

@@ -6,6 +6,7 @@
 #include "Rendering/Scene.h"
 #include "Rendering/Vertex/PlaceHull.h"
 #include "Rendering/Vertex/ViewSpace.h"
+#include "Rendering/Vertex/Viewport.h"
 
 #include <cstdint>
 #include <memory>
@@ -25,7 +26,7 @@ struct PlacedInstance {
 /// A scene made ready for one viewport.
 struct PlacedScene {
   const Scene* scene;
-  int width, height;
+  Viewport viewport;
   std::vector<PlacedInstance> instances;  ///< in draw order
   std::vector<ViewLight> lights;
   std::vector<std::unique_ptr<const PlacedHull>> hulls;  ///< what their instances borrow
@@ -38,7 +39,7 @@ struct PlacedScene {
 };
 
 /// Requires: a scene that checkScene() accepted.
-PlacedScene placeScene(const Scene& scene, int width, int height,
+PlacedScene placeScene(const Scene& scene, const Viewport& viewport,
                        const Optimizations& optimizations = {}, int threads = 1);
 
 }  // namespace limn

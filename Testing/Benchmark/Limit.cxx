@@ -67,7 +67,7 @@ class Replay
 public:
   Replay(const ReplayedFrame& replayed, std::vector<Rgba8>& color)
     : Threads(replayed.Threads), Samples(replayed.Scene.samples),
-      Placed(placeScene(replayed.Scene, replayed.Width, replayed.Height, NoCulling())),
+      Placed(placeScene(replayed.Scene, { replayed.Width, replayed.Height }, NoCulling())),
       Of(this->Placed.clusterCount),
       Depth(static_cast<std::size_t>(replayed.Width) * replayed.Height, 1.0f)
   {
@@ -122,7 +122,7 @@ private:
           std::min(kChunk, clusters.size() - first) };
         this->Result.Bound += BestTime(
           [&] {
-            boundClusters(transform, chunk, this->Frame.width, this->Frame.height, bounds.data());
+            boundClusters(transform, chunk, { this->Frame.width, this->Frame.height }, bounds.data());
           });
       }
     }

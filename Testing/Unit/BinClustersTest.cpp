@@ -47,7 +47,7 @@ TEST(BinClusters, AClusterIsListedInEachTileWhereItCoversASample)
   for (std::uint32_t seed = 0; seed < 60; ++seed) {
     const RandomScene random(seed);
     const Picture size = random.canvas();
-    const PlacedScene placed = placeScene(random.scene(), size.width, size.height);
+    const PlacedScene placed = placeScene(random.scene(), {size.width, size.height});
     TileBins bins;
     ASSERT_TRUE(binClusters(placed, 2, bins).ok());
     for (const PlacedInstance& here : placed.instances)
@@ -67,7 +67,7 @@ TEST(BinClusters, AClusterIsListedInEachTileWhereItCoversASample)
 TEST(BinClusters, ListsDoNotDependOnTheNumberOfThreads)
 {
   const RandomScene random(17);
-  const PlacedScene placed = placeScene(random.scene(), 700, 500);
+  const PlacedScene placed = placeScene(random.scene(), {700, 500});
   const auto sortedLists = [&](int threads) {
     TileBins bins;
     EXPECT_TRUE(binClusters(placed, threads, bins).ok());
@@ -94,7 +94,7 @@ TEST(BinClusters, WhatIsFarFromATileIsNotListedThere)
   stage.view.far = 20;
   stage.instances = {painted(fineSphere(), {1, 1, 1})};
   const Scene scene = stage.scene();
-  const PlacedScene placed = placeScene(scene, stage.width, stage.height);
+  const PlacedScene placed = placeScene(scene, {stage.width, stage.height});
   TileBins bins;
   ASSERT_TRUE(binClusters(placed, 1, bins).ok());
   std::size_t filled = 0;

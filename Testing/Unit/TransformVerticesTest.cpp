@@ -23,7 +23,7 @@ template <class Visit>
 void forEachVertex(const Stage& stage, const OwnedMesh& mesh, Visit visit)
 {
   const Scene scene = stage.scene();
-  const PlacedScene placed = placeScene(scene, stage.width, stage.height);
+  const PlacedScene placed = placeScene(scene, {stage.width, stage.height});
   for (const Cluster& cluster : mesh.clusters.clusters) {
     const PlacedCluster here = {&placed.instances[0], &cluster};
     ScreenVertices screen;

@@ -267,7 +267,7 @@ TEST(Veil, LooksAtNoMoreThanTheLayersOfAPixel)
 Panes panesOf(const Stage& stage)
 {
   const Scene scene = stage.scene();
-  const PlacedScene placed = placeScene(scene, stage.width, stage.height);
+  const PlacedScene placed = placeScene(scene, {stage.width, stage.height});
   TileBins bins;
   EXPECT_TRUE(binClusters(placed, 2, bins).ok());
   return Panes(placed, bins, 2);
@@ -296,7 +296,7 @@ TEST(Panes, AreNotKeptWhereAllLieBeforeHalosAndNoLineIs)
   const OwnedMesh mesh = plate(0, 64, -1);
   stage.instances = {pane(mesh, 0.5f)};
   const Scene scene = stage.scene();
-  const PlacedScene placed = placeScene(scene, stage.width, stage.height);
+  const PlacedScene placed = placeScene(scene, {stage.width, stage.height});
   const PlacedInstance& first = placed.instances[0];
   const TileCluster cluster = {{&first, first.mesh().clusters.data()}, {}};
   const TileClusters clusters = {&placed, {&cluster, 1}};

@@ -96,7 +96,7 @@ TEST_P(WideImageOutlines, LeaveTheFarSideOfLowStepsAlone)
       for (const double step : {3.5, 5.0, 8.0})
         for (const float width : {6.0f, 12.0f}) {
           const OwnedMesh both = together(
-              {halfPlane(kSide, degrees, 60, 10), halfPlane(kSide, degrees, 0, 10 + step)});
+              {halfPlane(kSide, degrees, 90, 10), halfPlane(kSide, degrees, 0, 10 + step)});
           Stage stage = deepStage(kSide, samples);
           stage.instances = {outlined(both, width)};
           const Picture picture = drawOverWhite(stage, GetParam());
@@ -202,14 +202,59 @@ TEST_P(WideImageOutlines, GoOnBehindWhatHidesThemAndOutOfTheFrame)
       }
 }
 
+TEST_P(WideImageOutlines, LeaveTheFrameAsTheyDoInALargerPicture)
+{
+  // Balls whose borders leave the frame at all angles, come back, or stay outside, so that nothing
+  // but their lines reaches into it.
+  constexpr int kSide = 64, kMore = 32;
+  const OwnedMesh unit = sphere(64, 128);
+  const bool isFast = GetParam() == Backend::kPipeline;
+  for (const Vec3d ball :
+       {Vec3d{60.2, 20.1, 30.4}, Vec3d{32.3, 31.8, 33.5}, Vec3d{-9.2, 40.1, 45.7},
+        Vec3d{70.3, 71.1, 24.2}, Vec3d{33.1, -150.4, 216.3}})
+    for (const int samples : {1, 4})
+      for (const float width : isFast ? std::vector<float>{2, 5, 8, 12} : std::vector<float>{8}) {
+        const double radius = ball.z;
+        Stage stage = deepStage(kSide, samples);
+        stage.view.far = 300;
+        stage.instances = {outlined(unit, width)};
+        for (int i = 0; i < 3; ++i)
+          stage.instances[0].modelToWorld.m[i][i] = radius;
+        stage.instances[0].modelToWorld.m[0][3] = ball.x;
+        stage.instances[0].modelToWorld.m[1][3] = ball.y;
+        stage.instances[0].modelToWorld.m[2][3] = 20 - radius;
+        Stage larger = stage;
+        larger.width = larger.height = kSide + 2 * kMore;
+        larger.view.halfHeight = kSide / 2 + kMore;
+        const Picture picture = drawOverWhite(stage, GetParam());
+        const Picture whole = drawOverWhite(larger, GetParam());
+        for (int y = 0; y < kSide; ++y)
+          for (int x = 0; x < kSide; ++x) {
+            ASSERT_NEAR(at(picture, x, y).g, at(whole, x + kMore, y + kMore).g, 1)
+                << x << ", " << y << ": radius " << radius << ", width " << width << ", " << samples
+                << " samples";
+            if (std::hypot(x + 0.5 - ball.x, y + 0.5 - ball.y) > radius - 1) continue;
+            int inside = 0;
+            constexpr int kFine = 8;
+            for (int i = 0; i < kFine * kFine; ++i)
+              inside += std::hypot(x + (i % kFine + 0.5) / kFine - ball.x,
+                                   y + (i / kFine + 0.5) / kFine - ball.y) > radius - width;
+            const double share = inside / double{kFine * kFine};
+            EXPECT_NEAR(darknessOf(at(picture, x, y)), share, samples == 1 ? 0.65 : 0.3)
+                << x << ", " << y << ": radius " << radius << ", width " << width << ", " << samples
+                << " samples";
+          }
+      }
+}
+
 TEST_P(WideImageOutlines, EndRoundlyWhereAStepFadesOut)
 {
   // A sheet with a tear, from which on the lower part rises: by more than the tolerance of 3 pixels
   // from x = 23 on.
   constexpr double kRise = 50;
-  const OwnedMesh all = together({sheet({-5, 32, 0}, {75, 0, 0}, {0, 50, 0}),
-                                  sheet({-5, -5, 0}, {25, 0, 0}, {0, 37, 0}),
-                                  sheet({20, -5, 0}, {kRise, 0, kRise}, {0, 37, 0})});
+  const OwnedMesh all = together({sheet({-25, 32, 0}, {95, 0, 0}, {0, 70, 0}),
+                                  sheet({-25, -25, 0}, {45, 0, 0}, {0, 57, 0}),
+                                  sheet({20, -25, 0}, {kRise, 0, kRise}, {0, 57, 0})});
   for (const int samples : {1, 4})
     for (const float width : {4.0f, 8.0f}) {
       Stage stage = deepStage(64, samples);
