@@ -196,6 +196,7 @@ TileStats drawClusters(const PlacedScene& scene, const TileBins& bins, std::size
       rasterizeTile({&scene, {memory.ordered.data(), opaque}}, pixels, samples, memory.visible);
   collectFragments(memory.visible, pixels, samples, scene.optimizations.fragmentRuns,
                    memory.fragments);
+  memory.colors.hasColors = true;
   memory.colors.hasRadiance = !frame.radiance.empty();
   memory.colors.hasNormals = !frame.normal.empty() || surfaces != nullptr;
   memory.colors.hasPlanes = surfaces != nullptr;
@@ -271,7 +272,6 @@ void drawApron(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
   colors.hasNormals = colors.hasPlanes = true;
   memory.shader.shade(clusters, pixels, samples, memory.fragments, colors);
   writeLayers(clusters, memory.visible, pixels, memory.fragments, colors, surfaces, nullptr);
-  colors.hasColors = true;
 }
 
 TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,

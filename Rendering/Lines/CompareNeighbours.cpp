@@ -75,7 +75,8 @@ NeighbourRows::NeighbourRows(const SurfaceLayers& layers, const NeighbourBounds&
       samples_(samples),
       touched_(touched),
       count_(static_cast<std::size_t>(touched.x1 - touched.x0)),
-      test_(layers, bounds, samples)
+      test_(layers, bounds, samples),
+      compared_(touched.y0 - 2)
 {
   // One before the first pixel, and a vector behind the last.
   const std::size_t room = count_ + 1 + SurfaceLayers::kSpare;

@@ -75,7 +75,7 @@ class NeighbourRows {
   PixelRectangle touched_;
   std::size_t count_;
   PairTest test_;
-  int compared_ = -1;  ///< last row
+  int compared_;  ///< last row; at first none that is touched, nor the one below these
   std::vector<std::uint8_t> pairs_, below_, asks_, marks_;
 };
 

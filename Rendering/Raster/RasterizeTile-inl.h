@@ -1115,8 +1115,10 @@ void drawCluster(const TileCluster& cluster, std::uint32_t slot, const Target& t
 #if HWY_TARGET != HWY_SCALAR
   const ClusterBounds& bounds = cluster.bounds;
   constexpr int kSmallPixels = kSmallBox / kSubpixels;
-  if (target.clusters.scene->optimizations.smallClusters && bounds.isWhole &&
-      bounds.x1 - bounds.x0 < kSmallPixels && bounds.y1 - bounds.y0 < kSmallPixels) {
+  // Left of the frame and below it differences from the bounds' corner could be rounded.
+  if (target.clusters.scene->optimizations.smallClusters && bounds.isWhole && bounds.x0 >= 0 &&
+      bounds.y0 >= 0 && bounds.x1 - bounds.x0 < kSmallPixels &&
+      bounds.y1 - bounds.y0 < kSmallPixels) {
     SmallCluster<Target>(cluster, slot, target).draw();
     return;
   }

@@ -202,6 +202,26 @@ TEST_P(WideImageOutlines, GoOnBehindWhatHidesThemAndOutOfTheFrame)
       }
 }
 
+TEST_P(WideImageOutlines, BeginAtTheFramesBorder)
+{
+  // A sheet that ends there stands before another one, which has no line and goes on.
+  constexpr int kSide = 64;
+  const OwnedMesh back = sheet({-200, -200, -20}, {500, 0, 0}, {0, 500, 0}),
+                  front = halfPlane(kSide, 180, -kSide / 2);
+  for (const int samples : {1, 4})
+    for (const int width : {8, 10, 20, 26}) {  // with aprons of whole bands of rows, and without
+      Stage stage = deepStage(kSide, samples);
+      stage.view.eye.z = 80;
+      stage.view.far = 120;
+      stage.instances = {painted(back, {1, 1, 1}, 1),
+                         outlined(front, static_cast<float>(width), 2)};
+      const Picture picture = drawOverWhite(stage, GetParam());
+      for (int y = 0; y < width - 1; ++y)
+        EXPECT_LE(at(picture, 20, y).g, 20) << y << " of " << width << ", samples: " << samples;
+      EXPECT_EQ(at(picture, 20, width + 1).g, 255) << width << ", samples: " << samples;
+    }
+}
+
 TEST_P(WideImageOutlines, LeaveTheFrameAsTheyDoInALargerPicture)
 {
   // Balls whose borders leave the frame at all angles, come back, or stay outside, so that nothing
