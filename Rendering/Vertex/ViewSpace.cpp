@@ -74,6 +74,9 @@ float edgeScaleOf(const LocalFrame& frame)
   const Vec3d size = vec3Cast<double>(frame.high) - vec3Cast<double>(frame.low);
   const double largest = std::max({size.x, size.y, size.z});
   if (!(largest > 0)) return 1.0f;
+  // Of meshes of these sizes also triangles far smaller than the box have theirs as they are.
+  constexpr double kSmall = 0x1p-16, kLarge = 0x1p30;
+  if (largest >= kSmall && largest <= kLarge) return 1.0f;
   constexpr int kMostExponent = 126;  // of both signs, as floats without denormals have it
   return std::ldexp(1.0f, std::clamp(-std::ilogb(largest), -kMostExponent, kMostExponent));
 }

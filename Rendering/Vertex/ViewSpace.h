@@ -30,8 +30,8 @@ struct InstanceTransform {
   /// the screen position by more than 1/32 pixel somewhere in the view.
   bool precise;
   bool hasLowParts;  ///< positions are brought to view space in double too
-  /// A power of two that makes the mesh's box about 1 in size: edges times it have cross products
-  /// whose square a float holds, whatever the mesh's unit.
+  /// A power of two that makes very large and very small meshes' boxes about 1 in size, or 1: edges
+  /// times it have cross products whose square a float holds, whatever the mesh's unit.
   float edgeScale;
   bool mirrored;     ///< counter-clockwise triangles look clockwise from outside
 };
