@@ -10,10 +10,11 @@ namespace limn {
 
 /// A point of a line on the screen.
 struct LinePoint {
-  double x, y;    ///< pixels
-  double depth;   ///< window depth
-  double tested;  ///< that of the point moved by its slack towards the eye
-  double share;   ///< of the style's width
+  double x, y;     ///< pixels
+  double depth;    ///< window depth
+  double tested;   ///< that of the point moved by its slack towards the eye
+  double bridged;  ///< likewise by kBridgedSlack times that
+  double share;    ///< of the style's width
 };
 
 /// The way of a set's points to the screen, in double all along.
@@ -90,11 +91,17 @@ class LinePlace {
   LinePoint onScreen(const Clip& clip) const
   {
     const double inverse = 1.0 / clip.w;
-    const double z = clip.z + zBySlack_ * clip.slack, w = clip.w + wBySlack_ * clip.slack;
-    // Nearer than all that is drawn once it is before the near plane.
-    const double tested = z + w < 0 || w < kSmallestW ? 0.0 : z / w * 0.5 + 0.5;
+    const auto movedBy = [&](double slack) {
+      const double z = clip.z + zBySlack_ * slack, w = clip.w + wBySlack_ * slack;
+      // Nearer than all that is drawn once it is before the near plane.
+      return z + w < 0 || w < kSmallestW ? 0.0 : z / w * 0.5 + 0.5;
+    };
+    const double tested = movedBy(clip.slack);
     return {clip.x * inverse * halfWidth_ + halfWidth_,
-            clip.y * inverse * halfHeight_ + halfHeight_, clip.z * inverse * 0.5 + 0.5, tested,
+            clip.y * inverse * halfHeight_ + halfHeight_,
+            clip.z * inverse * 0.5 + 0.5,
+            tested,
+            clip.slack > 0 ? movedBy(kBridgedSlack * clip.slack) : tested,
             clip.share};
   }
 

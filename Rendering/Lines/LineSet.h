@@ -33,6 +33,7 @@ inline constexpr float kHiddenDash = 2.5f, kHiddenGap = 1.5f;
 /// in x and y, as a pixel's depth is that of its nearest sample, and rounding.
 inline constexpr double kSlopePixels = 0.5;
 inline constexpr double kDepthBias = 1e-6;
+inline constexpr double kBridgedSlack = 4;  ///< LineSet::slack
 
 /// Lengths are pixels of the screen, whatever the distance, the tilt or the size of the picture.
 struct LineStyle {
@@ -79,7 +80,9 @@ struct LineSet {
   Span<const std::uint32_t> first;   ///< where in `vertex` a chain begins; and the end
   Span<const std::uint8_t> flags;    ///< LineFlags of the segment from vertex[i] to the next
   /// By point, in view units: surfaces that lie no more than this before the line do not hide it.
-  /// For lines beside the mesh, as smooth contours of a faceted one are. Empty: 0.
+  /// For lines beside the mesh, as smooth contours of a faceted one are. Empty: 0. Where a
+  /// kOuterLine is hidden between two places at which it is seen, by surfaces no more than
+  /// kBridgedSlack times this before it, it is seen all along: facets of its own hide it there.
   Span<const float> slack;
   LineStyle style;
   /// By point, 0 to 1: what share of the style's width the line has there, linear on the screen

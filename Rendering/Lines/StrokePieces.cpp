@@ -14,7 +14,12 @@ namespace {
 /// Shorter segments, in pixels, show nothing.
 constexpr double kShortest = 1e-6;
 
-enum class Seen : std::uint8_t { kOutside, kHidden, kVisible };
+enum class Seen : std::uint8_t {
+  kOutside,
+  kHidden,
+  kBridged,  ///< hidden, unless it is a gap between visible ones
+  kVisible
+};
 
 /// What tells whether a sample is seen.
 enum class Evidence : std::uint8_t {
@@ -55,7 +60,9 @@ class ChainCutter {
     segments_.clear();
     seen_.clear();
     evidence_.clear();
+    hasGaps_ = false;
     placeSegments();
+    if (hasGaps_) bridgeGaps();
     carryBeyond();
     smooth();
     for (std::size_t i = 0; i < segments_.size(); ++i)
@@ -138,10 +145,16 @@ class ChainCutter {
       else if (isConcealed)
         seen_.push_back(Seen::kHidden);
       else
-        seen_.push_back(isVisible(segment, share) ? Seen::kVisible : Seen::kHidden);
+        seen_.push_back(isVisible(segment, share, &LinePoint::tested) ? Seen::kVisible
+                                                                      : Seen::kHidden);
       evidence_.push_back(!isTested                  ? Evidence::kOther
                           : isBeyond(segment, share) ? Evidence::kNone
                                                      : Evidence::kDepth);
+      if (!segment.isOuter || set_.slack.empty()) continue;
+      if (evidence_.back() != Evidence::kDepth || seen_.back() != Seen::kHidden) continue;
+      if (!isVisible(segment, share, &LinePoint::bridged)) continue;
+      seen_.back() = Seen::kBridged;
+      hasGaps_ = true;
     }
   }
   /// Or so near to the border that the picture does not show what is on either side.
@@ -151,14 +164,47 @@ class ChainCutter {
     return !(x >= 1 && x < frame_.width - 1 && y >= 1 && y < frame_.height - 1);
   }
 
-  /// Beyond the border a line is seen if it last was in the picture, or will be next.
-  void carryBeyond()
+  /// Calls body(first, end) for the samples of segments that continue each other.
+  template <class Body>
+  void forEachUnbroken(const Body& body) const
   {
     for (std::size_t s = 0; s < segments_.size();) {
       const std::size_t first = segments_[s].firstSample;
       for (++s; s < segments_.size() && segments_[s].continues;)
         ++s;
-      const std::size_t end = s < segments_.size() ? segments_[s].firstSample : seen_.size();
+      body(first, s < segments_.size() ? segments_[s].firstSample : seen_.size());
+    }
+  }
+
+  /// LineSet::slack.
+  void bridgeGaps()
+  {
+    forEachUnbroken([this](std::size_t first, std::size_t end) {
+      const bool isRing = first == 0 && end == seen_.size() && segments_[0].continues;
+      // A ring is gone around from a sample on that is in no gap.
+      std::size_t start = first;
+      while (isRing && start < end && seen_[start] == Seen::kBridged)
+        ++start;
+      const std::size_t count = end - first, turned = start - first;
+      const auto at = [&](std::size_t i) -> Seen& { return seen_[first + (turned + i) % count]; };
+      for (std::size_t i = 0; i < count;) {
+        std::size_t next = i;
+        while (next < count && at(next) == Seen::kBridged)
+          ++next;
+        const bool isBefore = i > 0 && at(i - 1) == Seen::kVisible;
+        const bool isAfter =
+            next < count ? at(next) == Seen::kVisible : isRing && at(0) == Seen::kVisible;
+        for (; i < next; ++i)
+          at(i) = isBefore && isAfter ? Seen::kVisible : Seen::kHidden;
+        ++i;
+      }
+    });
+  }
+
+  /// Beyond the border a line is seen if it last was in the picture, or will be next.
+  void carryBeyond()
+  {
+    forEachUnbroken([this](std::size_t first, std::size_t end) {
       for (std::size_t i = first; i < end;) {
         std::size_t next = i + 1;
         while (next < end &&
@@ -168,7 +214,7 @@ class ChainCutter {
           settleBeyond(i, next, i > first && tells(i - 1), next < end && tells(next));
         i = next;
       }
-    }
+    });
   }
   bool tells(std::size_t sample) const { return evidence_[sample] == Evidence::kDepth; }
   void settleBeyond(std::size_t first, std::size_t end, bool asBefore, bool asAfter)
@@ -187,10 +233,10 @@ class ChainCutter {
            (segment.to - segment.from) * (sample / static_cast<double>(segment.sampleCount));
   }
 
-  bool isVisible(const PathSegment& segment, double share) const
+  bool isVisible(const PathSegment& segment, double share, double LinePoint::*by) const
   {
     const double x = segment.at(share, &LinePoint::x), y = segment.at(share, &LinePoint::y);
-    const double tested = segment.at(share, &LinePoint::tested);
+    const double tested = segment.at(share, by);
     const int column = inside(x, frame_.width), row = inside(y, frame_.height);
     if (isDeepBehind(column, row, tested)) return false;
     // The pixel itself first: it mostly settles it.
@@ -391,7 +437,8 @@ class ChainCutter {
   double margin_;
   std::size_t first_ = 0, end_ = 0;
   bool isClosed_ = false, startsUnclipped_ = false, endsUnclipped_ = false;
-  double length_ = 0;  ///< of the chain
+  bool hasGaps_ = false;  ///< some sample is kBridged
+  double length_ = 0;     ///< of the chain
   std::vector<PathSegment> segments_;
   std::vector<Seen> seen_, raw_;
   std::vector<Evidence> evidence_;  ///< of each in seen_

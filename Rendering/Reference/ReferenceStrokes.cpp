@@ -30,15 +30,20 @@ Clip between(const Clip& a, const Clip& b, double t)
           between(a.w, b.w, t), between(a.slack, b.slack, t), between(a.share, b.share, t)};
 }
 
-/// On the screen, with its own depth, that for the test, and its share of the style's width.
+/// On the screen, with its own depth, those for the tests, of gaps the second, and its share of the
+/// style's width.
 struct Dot {
-  double x, y, depth, tested, share;
+  double x, y, depth, tested, lenient, share;
 };
 
 Dot between(const Dot& a, const Dot& b, double t)
 {
-  return {between(a.x, b.x, t), between(a.y, b.y, t), between(a.depth, b.depth, t),
-          between(a.tested, b.tested, t), between(a.share, b.share, t)};
+  return {between(a.x, b.x, t),
+          between(a.y, b.y, t),
+          between(a.depth, b.depth, t),
+          between(a.tested, b.tested, t),
+          between(a.lenient, b.lenient, t),
+          between(a.share, b.share, t)};
 }
 
 enum class Seen { kNo, kHidden, kYes };
@@ -54,6 +59,7 @@ struct Segment {
   std::vector<Seen> seen;       ///< sample by sample
   std::vector<char> isLeft;     ///< to its neighbours: the picture does not show what is about it
   std::vector<char> isAsked;    ///< whether depths told
+  std::vector<char> mayBeGap;   ///< hidden, but by no more than facets of the line's own can
 
   double share(std::size_t sample, double offset) const
   {
@@ -168,11 +174,18 @@ class Lines {
     const double inverse = 1.0 / c.w;
     const double halfWidth = frame_.width / 2.0, halfHeight = frame_.height / 2.0;
     // Towards the eye: view z grows by the slack.
-    const double z = c.z + scene_.camera.viewToClip.m[2][2] * c.slack;
-    const double w = c.w + scene_.camera.viewToClip.m[3][2] * c.slack;
-    const bool isBeforeAll = z + w < 0 || w < kSmallestW;
-    return {c.x * inverse * halfWidth + halfWidth, c.y * inverse * halfHeight + halfHeight,
-            c.z * inverse * 0.5 + 0.5, isBeforeAll ? 0.0 : z / w * 0.5 + 0.5, c.share};
+    const auto depthBefore = [&](double slack) {
+      const double z = c.z + scene_.camera.viewToClip.m[2][2] * slack;
+      const double w = c.w + scene_.camera.viewToClip.m[3][2] * slack;
+      const bool isBeforeAll = z + w < 0 || w < kSmallestW;
+      return isBeforeAll ? 0.0 : z / w * 0.5 + 0.5;
+    };
+    return {c.x * inverse * halfWidth + halfWidth,
+            c.y * inverse * halfHeight + halfHeight,
+            c.z * inverse * 0.5 + 0.5,
+            depthBefore(c.slack),
+            depthBefore(c.slack * kBridgedSlack),
+            c.share};
   }
 
   /// Without its place along the chain and its samples.
@@ -232,7 +245,7 @@ class Lines {
     return toBefore ? -*toBefore : toAfter ? *toAfter : 0.0;
   }
 
-  bool isBefore(const Dot& p) const
+  bool isBefore(const Dot& p, double tested) const
   {
     const int column = static_cast<int>(std::clamp(std::floor(p.x), 0.0, frame_.width - 1.0));
     const int row = static_cast<int>(std::clamp(std::floor(p.y), 0.0, frame_.height - 1.0));
@@ -245,7 +258,7 @@ class Lines {
         const double surface = static_cast<double>(old_[pixel(x, y)]) +
                                (slopeX * (p.x - (x + 0.5)) + slopeY * (p.y - (y + 0.5)));
         const double bias = kSlopePixels * (std::fabs(slopeX) + std::fabs(slopeY)) + kDepthBias;
-        if (surface + bias >= p.tested) return true;
+        if (surface + bias >= tested) return true;
       }
     return false;
   }
@@ -255,16 +268,52 @@ class Lines {
     s.seen.resize(static_cast<std::size_t>(std::max(1.0, std::ceil(s.length * (s.to - s.from)))));
     s.isLeft.resize(s.seen.size());
     s.isAsked.resize(s.seen.size());
+    s.mayBeGap.resize(s.seen.size());
     for (std::size_t i = 0; i < s.seen.size(); ++i) {
       const Dot p = between(s.a, s.b, s.share(i, 0.5));
-      const bool isVisible = (s.flags & kConcealedLine) == 0 && isBefore(p);
+      const bool isVisible = (s.flags & kConcealedLine) == 0 && isBefore(p, p.tested);
       s.seen[i] = p.depth > 1 ? Seen::kNo : isVisible ? Seen::kYes : Seen::kHidden;
       const bool isInside =
           p.x >= 1 && p.y >= 1 && p.x < frame_.width - 1 && p.y < frame_.height - 1;
       const bool isOther = p.depth > 1 || (s.flags & kConcealedLine) != 0;
       s.isLeft[i] = !isOther && !isInside;
       s.isAsked[i] = !isOther && isInside;
+      s.mayBeGap[i] = s.isAsked[i] != 0 && s.seen[i] == Seen::kHidden &&
+                      (s.flags & kOuterLine) != 0 && isBefore(p, p.lenient);
     }
+  }
+
+  /// Gaps are seen that lie between two samples which are.
+  static void bridge(std::vector<Segment>& segments, bool isRing)
+  {
+    struct Sample {
+      Seen* seen;
+      bool mayBeGap, startsAnew;
+    };
+    std::vector<Sample> samples;
+    for (Segment& s : segments)
+      for (std::size_t i = 0; i < s.seen.size(); ++i) {
+        const bool isFirst = samples.empty() ? !isRing : i == 0 && !s.follows;
+        samples.push_back({&s.seen[i], s.mayBeGap[i] != 0, isFirst});
+      }
+    const std::size_t count = samples.size();
+    std::vector<std::size_t> bridged;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!samples[i].mayBeGap) continue;
+      // At most once around.
+      std::size_t before = i, after = i, steps = 0;
+      while (samples[before].mayBeGap && !samples[before].startsAnew && ++steps < count)
+        before = (before + count - 1) % count;
+      for (steps = 0; samples[after].mayBeGap && ++steps < count;) {
+        const std::size_t next = (after + 1) % count;
+        if (samples[next].startsAnew) break;
+        after = next;
+      }
+      if (*samples[before].seen == Seen::kYes && *samples[after].seen == Seen::kYes)
+        bridged.push_back(i);
+    }
+    for (const std::size_t i : bridged)
+      *samples[i].seen = Seen::kYes;
   }
 
   /// Samples without an answer of their own are seen if the next with one is, on either side.
@@ -351,10 +400,13 @@ class Lines {
       segments.push_back(*s);
     }
     if (segments.empty()) return;
+    const bool endsAtTheEnd = !isBroken;
+    const bool isRing = isClosed && startsAtTheStart && endsAtTheEnd;
+    bridge(segments, isRing && std::all_of(segments.begin() + 1, segments.end(),
+                                           [](const Segment& s) { return s.follows; }));
     askNeighbours(segments);
     smooth(segments);
-    const bool endsAtTheEnd = !isBroken;
-    if (isClosed && startsAtTheStart && endsAtTheEnd) segments.front().follows = true;
+    if (isRing) segments.front().follows = true;
     const bool hasRoundEnds = set.style.cap == LineCap::kRound;
     for (std::size_t i = 0; i < segments.size(); ++i) {
       const Segment& s = segments[i];

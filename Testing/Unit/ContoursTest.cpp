@@ -289,6 +289,30 @@ TEST_P(ContourPictures, AnOutlineNeverBreaksWhileACoarseSphereTurns)
     }
   }
 }
+
+TEST_P(ContourPictures, AnOutlineHasNoGapsWhereLargeFacetsHideIt)
+{
+  const OwnedMesh sphere = testing::sphere(8, 12);
+  const Model model(sphere.view(), sphere.vertexNormals);
+  LineStyle style;
+  style.color = {1, 0, 0};
+  const int end = GetParam() == Backend::kReference ? 160 : 180;
+  for (int frame = 156; frame < end; ++frame) {
+    const double angle = frame * kPi / 90;
+    const double distance = 6.7, height = -1.6 - 0.01 * frame;
+    const double level = std::sqrt(distance * distance - height * height);
+    Stage stage;
+    stage.view = testing::perspectiveView(
+        {level * std::cos(angle), height, level * std::sin(angle)}, {0, 0, 0}, 27);
+    stage.width = stage.height = 480;
+    const double radius = 240 / std::tan(13.5 * kPi / 180) / std::sqrt(distance * distance - 1);
+    const ContourLines contours = model.smooth(stage);
+    const LineSet set = contours.lines(style);
+    stage.instances = {testing::painted(sphere, {0, 0, 1})};
+    stage.instances[0].lines = {&set, 1};
+    EXPECT_EQ(missingAngles(draw(stage), radius * 0.9, radius + 2), 0) << "frame " << frame;
+  }
+}
 LIMN_ON_BOTH_BACKENDS(ContourPictures);
 
 }  // namespace
