@@ -42,7 +42,7 @@ void checkToneOverData(const MaterialSettings& material)
   const auto over = material.toneOverData.value_or(ToneOverData::Classic);
   if (material.toneOverData && !isScale(material.tone) && material.tone != Tone::Exaggerated)
   {
-    throw UserError("--tone-over-data needs a tone; add --tone=gooch");
+    throw UserError("--tone-over-data needs --tone=metal, exaggerated or one of gooch");
   }
   if (material.undertone && over != ToneOverData::Undertone)
   {

@@ -574,7 +574,10 @@ TEST(Arguments, TonesOverDataAndTheirNumbers)
 TEST(Arguments, TonesOverDataThatWouldNotShowAreErrors)
 {
   const std::pair<std::vector<std::string>, std::string> cases[] = {
-    { { "--tone-over-data=undertone" }, "--tone-over-data needs a tone; add --tone=gooch" },
+    { { "--tone-over-data=undertone" },
+      "--tone-over-data needs --tone=metal, exaggerated or one of gooch" },
+    { { "--tone=toon", "--tone-over-data=legend-safe" },
+      "--tone-over-data needs --tone=metal, exaggerated or one of gooch" },
     { { "--tone=gooch", "--undertone=0.2" }, "--undertone needs --tone-over-data=undertone" },
     { { "--tone=gooch", "--tone-over-data=undertone", "--legend-safe-range=3" },
       "--legend-safe-range needs --tone-over-data=legend-safe" },
