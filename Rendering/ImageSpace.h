@@ -61,7 +61,8 @@ struct ImageOutline {
   /// here and there it is a step; where they do not, those that touch a crease are kept.
   static constexpr unsigned kSmallestStep = 8;
   /// Creases that cross fewer ways from a pixel to the next, one after the other, are left out; but
-  /// for those that touch a border, also between ids, a step's line or the end of what is looked at.
+  /// for those that touch a border, also between ids, a step's line or the end of what is looked
+  /// at.
   static constexpr unsigned kShortestCrease = 8;
   /// Where two instances cut each other the line goes over to the side of the one that comes to its
   /// outline, and to that of a steep one, of which nobody can tell how far that is: from here on,

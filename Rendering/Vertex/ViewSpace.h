@@ -33,7 +33,7 @@ struct InstanceTransform {
   /// A power of two that makes very large and very small meshes' boxes about 1 in size, or 1: edges
   /// times it have cross products whose square a float holds, whatever the mesh's unit.
   float edgeScale;
-  bool mirrored;     ///< counter-clockwise triangles look clockwise from outside
+  bool mirrored;  ///< counter-clockwise triangles look clockwise from outside
 };
 
 InstanceTransform makeInstanceTransform(const Camera& camera, const Mat4d& modelToWorld,

@@ -122,7 +122,8 @@ private:
           std::min(kChunk, clusters.size() - first) };
         this->Result.Bound += BestTime(
           [&] {
-            boundClusters(transform, chunk, { this->Frame.width, this->Frame.height }, bounds.data());
+            boundClusters(
+              transform, chunk, { this->Frame.width, this->Frame.height }, bounds.data());
           });
       }
     }
