@@ -58,6 +58,17 @@ struct LineStage : Stage
   }
 };
 
+/// Puts the camera aslant above the middle, and hatches what is there.
+void hatchFromAbove(LineStage& stage)
+{
+  vtkCamera* const camera = stage.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0, 0, 0);
+  camera->SetPosition(0, -100, 60);
+  camera->SetClippingRange(10, 300);
+  stage.Property->HatchLinesOn();
+  stage.Property->SetHatchSpacing(4);
+}
+
 void checkIsNear(double actual, double expected, double tolerance)
 {
   CHECK(std::fabs(actual - expected) <= tolerance);
@@ -491,12 +502,7 @@ void checkHatching()
   torus->SetThetaResolution(64);
   torus->SetPhiResolution(64);
   stage.Mapper->SetInputConnection(torus->GetOutputPort());
-  vtkCamera* const camera = stage.Renderer->GetActiveCamera();
-  camera->SetFocalPoint(0, 0, 0);
-  camera->SetPosition(0, -100, 60);
-  camera->SetClippingRange(10, 300);
-  stage.Property->HatchLinesOn();
-  stage.Property->SetHatchSpacing(4);
+  hatchFromAbove(stage);
   const double lit = stage.Coverage();
   CHECK(lit > 30);
   stage.Property->SetHatchDarkest(0);
@@ -558,12 +564,7 @@ void checkHatchingOfUnusableNormals()
     data->GetPointData()->SetNormals(normals);
     LineStage stage;
     stage.Mapper->SetInputData(data);
-    vtkCamera* const camera = stage.Renderer->GetActiveCamera();
-    camera->SetFocalPoint(0, 0, 0);
-    camera->SetPosition(0, -100, 60);
-    camera->SetClippingRange(10, 300);
-    stage.Property->HatchLinesOn();
-    stage.Property->SetHatchSpacing(4);
+    hatchFromAbove(stage);
     return stage.Coverage();
   };
   const double own = coverage(nullptr);
