@@ -52,12 +52,13 @@ void SetOwnShades(vtkLimnProperty* property, double dark)
   property->SetToneOverDataToLegendSafe();
 }
 
-/// Contours, creases and borders.
+/// Contours, creases, borders, and where surfaces run into each other.
 void SetLines(vtkLimnProperty* property, const Rgb& color, double width, double outer)
 {
   property->ContourLinesOn();
   property->CreaseLinesOn();
   property->BorderLinesOn();
+  property->IntersectionLinesOn();
   property->SetStrokeColor(color[0], color[1], color[2]);
   property->SetStrokeWidth(width);
   property->SetOuterWidthFactor(outer);
