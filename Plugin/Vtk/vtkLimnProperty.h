@@ -452,7 +452,9 @@ public:
    * grey surface into them, by the share Undertone (0 to 1; default: 0.25). LegendSafe moves their
    * lightness alone, L* of CIELAB, from -LegendSafeRange where the surface turns away from the
    * light to +LegendSafeRange where it faces it (0 to 100; default: 12); where the screen has no
-   * such colour, by less, and not at all for pure red, green or blue. Neither adds a highlight.
+   * such colour, by less, and not at all for pure red, green or blue. It is less, too, with a table
+   * whose values lie in their lightness alone, as a grey scale's: as much as adds 3.8 % of the
+   * table's range to the mean error of values read off the picture. Neither adds a highlight.
    * Colours are taken to be sRGB.
    *
    * @sa

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLimnToneLegend.h"
 
+#include "Private/ReadBack.h"
 #include "Private/ToneLegendPicture.h"
 #include "Private/UnusableValues.h"
 
@@ -10,115 +11,28 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkImageData.h"
-#include "vtkLookupTable.h"
-#include "vtkMath.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolyDataMapper2D.h"
+#include "vtkScalarsToColors.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
 
-namespace
-{
 using limn::Rgba8;
 
-Rgba8 ColorOf(vtkScalarsToColors* table, int number, int count)
+namespace
 {
-  vtkLookupTable* const entries = vtkLookupTable::SafeDownCast(table);
-  const unsigned char* color = nullptr;
-  if (entries && entries->GetNumberOfTableValues() > 0)
-  {
-    const vtkIdType last = entries->GetNumberOfTableValues() - 1;
-    color = entries->GetPointer(count > 1 ? (number * last + (count - 1) / 2) / (count - 1) : 0);
-  }
-  else
-  {
-    const double* const range = table->GetRange();
-    const double share = count > 1 ? static_cast<double>(number) / (count - 1) : 0.0;
-    color = table->MapValue(range[0] + share * (range[1] - range[0]));
-  }
-  return { color[0], color[1], color[2], 255 };
-}
-
-std::vector<Rgba8> ColorsOf(vtkScalarsToColors* table, int count)
+/// As surfaces with the table's colours have it.
+double LegendSafeRangeOf(vtkProperty* property, vtkScalarsToColors* table)
 {
-  table->Build();
-  std::vector<Rgba8> colors;
-  for (int i = 0; i < count; ++i)
-  {
-    colors.push_back(ColorOf(table, i, count));
-  }
-  return colors;
-}
-
-using Lab = std::array<double, 3>;
-
-Lab LabOf(Rgba8 color)
-{
-  const double rgb[3] = { color.r / 255.0, color.g / 255.0, color.b / 255.0 };
-  Lab lab;
-  vtkMath::RGBToLab(rgb, lab.data());
-  return lab;
-}
-
-/// Of the nearest, from 0 to 1.
-double ReadValue(const std::vector<Lab>& legend, const Lab& color)
-{
-  std::size_t nearest = 0;
-  double least = VTK_DOUBLE_MAX;
-  for (std::size_t i = 0; i < legend.size(); ++i)
-  {
-    const double distance = vtkMath::Distance2BetweenPoints(legend[i].data(), color.data());
-    if (distance < least)
-    {
-      least = distance;
-      nearest = i;
-    }
-  }
-  return static_cast<double>(nearest) / static_cast<double>(legend.size() - 1);
-}
-
-constexpr int LegendColors = 128;
-
-/// Negative, with the reason, if the surface cannot be drawn.
-double ReadBackErrorOf(vtkScalarsToColors* table, vtkProperty* property, std::string& reason)
-{
-  constexpr int Tones = 64;
-  const std::vector<Rgba8> colors = ColorsOf(table, LegendColors);
-  std::vector<Lab> legend;
-  for (const Rgba8& color : colors)
-  {
-    legend.push_back(LabOf(color));
-  }
-  std::vector<Rgba8> pixels;
-  const limn::Status status = limn::bridge::drawToneLegend({ colors, Tones, property }, pixels);
-  if (!status.ok())
-  {
-    reason = status.message;
-    return -1;
-  }
-  // Of a sphere that is lit from the eye, l.n of 0 ... c fills a share of c^2 of the picture.
-  double sum = 0;
-  double weights = 0;
-  for (int row = Tones / 2; row < Tones; ++row)
-  {
-    const double cosine = (2.0 * row + 1) / Tones - 1;
-    for (int column = 0; column < LegendColors; ++column)
-    {
-      const Rgba8& drawn = pixels[static_cast<std::size_t>(row) * LegendColors + column];
-      const double value = static_cast<double>(column) / (LegendColors - 1);
-      sum += cosine * std::fabs(ReadValue(legend, LabOf(drawn)) - value);
-      weights += cosine;
-    }
-  }
-  return sum / weights;
+  vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
+  return limn ? limn::bridge::legendSafeBound(table, limn->GetLegendSafeRange()) : 0;
 }
 }
 
@@ -172,10 +86,12 @@ bool vtkLimnToneLegend::UpdateImage()
     vtkErrorMacro("No legend: " << fault);
     return false;
   }
-  const std::vector<Rgba8> colors = ColorsOf(this->LookupTable, this->NumberOfValues);
+  const std::vector<Rgba8> colors = limn::bridge::colorsOf(this->LookupTable, this->NumberOfValues);
   std::vector<Rgba8> pixels;
   const limn::Status status =
-    limn::bridge::drawToneLegend({ colors, this->NumberOfTones, this->SurfaceProperty }, pixels);
+    limn::bridge::drawToneLegend({ colors, this->NumberOfTones, this->SurfaceProperty,
+                                   LegendSafeRangeOf(this->SurfaceProperty, this->LookupTable) },
+      pixels);
   if (!status.ok())
   {
     vtkErrorMacro("No legend: " << status.message);
@@ -209,11 +125,15 @@ double vtkLimnToneLegend::GetReadBackError()
   {
     return -1;
   }
-  std::string reason;
-  const double error = ReadBackErrorOf(this->LookupTable, this->SurfaceProperty, reason);
-  if (error < 0)
+  const std::vector<Rgba8> legend =
+    limn::bridge::colorsOf(this->LookupTable, limn::bridge::kLegendColors);
+  double error = 0;
+  const limn::Status status = limn::bridge::readBackError(legend, this->SurfaceProperty,
+    LegendSafeRangeOf(this->SurfaceProperty, this->LookupTable), error);
+  if (!status.ok())
   {
-    vtkErrorMacro("No error of reading back: " << reason);
+    vtkErrorMacro("No error of reading back: " << status.message);
+    return -1;
   }
   return error;
 }
@@ -232,17 +152,20 @@ double vtkLimnToneLegend::FindLegendSafeRange(vtkScalarsToColors* table, double 
   vtkNew<vtkLimnProperty> property;
   property->SetToneToGooch();
   property->SetToneOverDataToLegendSafe();
-  for (int i = 1; table && i <= Steps; ++i)
+  if (!table)
   {
-    property->SetLegendSafeRange(Step * i);
-    std::string reason;
-    const double found = ReadBackErrorOf(table, property, reason);
-    if (found < 0 || found > error)
+    return 0;
+  }
+  const std::vector<Rgba8> legend = limn::bridge::colorsOf(table, limn::bridge::kLegendColors);
+  for (int i = 1; i <= Steps; ++i)
+  {
+    double found = 0;
+    if (!limn::bridge::readBackError(legend, property, Step * i, found).ok() || found > error)
     {
       return Step * (i - 1);
     }
   }
-  return table ? Step * Steps : 0;
+  return Step * Steps;
 }
 
 //------------------------------------------------------------------------------

@@ -7,6 +7,7 @@
 #include "InputBounds.h"
 #include "KnownInput.h"
 #include "MovedPoints.h"
+#include "ReadBack.h"
 #include "SurfaceLines.h"
 #include "SurfaceMesh.h"
 #include "SurfaceTextures.h"
@@ -25,6 +26,7 @@ public:
   limn::bridge::InputBounds InputBounds;
   limn::bridge::KnownInput Input;
   limn::bridge::MapperTextures Textures;
+  limn::bridge::LegendSafeBound LegendSafeRange;
   vtkIdType LookedAtBuild = 0; ///< of which geometry what was left out was said
   /// Of a geometry whose faces have no area: whether it was said of actors without lines and of
   /// those with some.

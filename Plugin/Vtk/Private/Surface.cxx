@@ -146,6 +146,30 @@ void setColors(vtkLimnPolyDataMapper* mapper, vtkPolyData* data, Instance& insta
   mesh.setColors(colors, cellFlag);
 }
 
+/// Whether the mapper's table makes its colours, rather than that they are the scalars.
+bool usesTable(vtkLimnPolyDataMapper* mapper, vtkPolyData* data)
+{
+  int cellFlag = 0;
+  vtkAbstractArray* const scalars =
+    vtkAbstractMapper::GetAbstractScalars(data, mapper->GetScalarMode(),
+      mapper->GetArrayAccessMode(), mapper->GetArrayId(), mapper->GetArrayName(), cellFlag);
+  const bool areColors = mapper->GetColorMode() == VTK_COLOR_MODE_DIRECT_SCALARS ||
+                         (mapper->GetColorMode() == VTK_COLOR_MODE_DEFAULT &&
+                           vtkUnsignedCharArray::SafeDownCast(scalars));
+  return mapper->GetScalarVisibility() && scalars && !areColors;
+}
+
+void boundLegendSafeRange(vtkLimnPolyDataMapper* mapper, vtkPolyData* data, Style& style)
+{
+  if (style.tone == Tone::kNone || style.toneOverData != ToneOverData::kLegendSafe ||
+      !usesTable(mapper, data))
+  {
+    return;
+  }
+  style.legendSafeRange = static_cast<float>(
+    mapper->GetInternals().LegendSafeRange(mapper->GetLookupTable(), style.legendSafeRange));
+}
+
 /// As VTK's shaders: opacity times the alphas of data and textures. Of surfaces of the opaque pass
 /// none counts.
 void setTransparency(const Surface& surface, Instance& instance)
@@ -258,6 +282,7 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
   instance.cullBackFaces = property->GetBackfaceCulling() != 0;
   instance.cullFrontFaces = property->GetFrontfaceCulling() && !property->GetBackfaceCulling();
   setColors(surface.mapper, data, instance);
+  boundLegendSafeRange(surface.mapper, data, instance.style);
   mesh.describe(instance);
   setIds(surface, data, instance, normals);
   if (auto computed = mesh.computedNormals())

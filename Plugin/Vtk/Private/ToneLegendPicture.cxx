@@ -76,10 +76,10 @@ SquareSheet makeSheet(const ToneLegendRequest& request)
 }
 
 /// Without what a legend cannot show: it is looked at head-on and has no other side.
-void setLook(vtkProperty* property, Instance& instance)
+void setLook(const ToneLegendRequest& request, Instance& instance)
 {
   vtkNew<vtkLimnProperty> look;
-  look->DeepCopy(property);
+  look->DeepCopy(request.property);
   look->SetShadingFrequencyToFlat();
   look->SetOutlineToNone();
   look->SetSurfaceShader(nullptr);
@@ -87,6 +87,7 @@ void setLook(vtkProperty* property, Instance& instance)
   look->SetOpacity(1);
   instance.material = materialOf(look);
   instance.style = styleOf(look, SurfaceMesh());
+  instance.style.legendSafeRange = static_cast<float>(request.legendSafeRange);
   instance.style.toneLight = ToneLight::kFirst;
   instance.style.toneHighlight = ToneHighlight::kNone;
   instance.style.hatching.place = HatchPlace::kModel;
@@ -106,7 +107,7 @@ Status drawToneLegend(const ToneLegendRequest& request, std::vector<Rgba8>& pixe
   Instance instance;
   instance.clusters = &sheet.clusters;
   instance.mesh = sheet.view();
-  setLook(request.property, instance);
+  setLook(request, instance);
   instance.attributes.cellColors = sheet.colors;
   instance.attributes.cells = sheet.cells;
   instance.attributes.cellCount = sheet.normals.size();

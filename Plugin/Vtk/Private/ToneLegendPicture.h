@@ -20,7 +20,8 @@ struct ToneLegendRequest
 {
   Span<const Rgba8> colors;
   int rows;
-  vtkProperty* property; ///< as it is, but for outlines, highlights, shaders and opacity
+  vtkProperty* property;  ///< as it is, but for outlines, highlights, shaders and opacity
+  double legendSafeRange; ///< in place of the property's
 };
 
 /// Draws it, colors.size() x rows pixels with row 0 at the bottom, by the renderer itself.
