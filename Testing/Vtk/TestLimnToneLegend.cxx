@@ -222,6 +222,34 @@ void checkRows()
   }
 }
 
+/// The lightest that the legend has of grey, with entries from `dark` to `light` in the table.
+int lightestGrey(double dark, double light, double range)
+{
+  vtkNew<vtkLookupTable> table;
+  table->SetNumberOfTableValues(256);
+  for (int i = 0; i < 256; ++i)
+  {
+    const double grey = dark + (light - dark) * i / 255;
+    table->SetTableValue(i, grey, grey, grey);
+  }
+  vtkNew<vtkLimnProperty> property;
+  property->SetToneToGooch();
+  property->SetToneOverDataToLegendSafe();
+  property->SetLegendSafeRange(range);
+  vtkNew<vtkLimnToneLegend> legend;
+  legend->SetLookupTable(table);
+  legend->SetSurfaceProperty(property);
+  return pixelOf(legend->GetImage(), 128, 63)[0];
+}
+
+/// One grey alone is misread without a tone, too; of a scale the tone may add but a little.
+void checkBound()
+{
+  CHECK(lightestGrey(0.5, 0.5, 24) > lightestGrey(0.5, 0.5, 12) + 20);
+  CHECK(lightestGrey(0, 1, 12) > lightestGrey(0, 1, 2));
+  CHECK(lightestGrey(0, 1, 24) <= lightestGrey(0, 1, 12) + 1);
+}
+
 void checkErrors()
 {
   Messages messages;
@@ -267,6 +295,7 @@ int TestLimnToneLegend(int, char*[])
   checkInterpolatedScalars();
   checkUpdates();
   checkRows();
+  checkBound();
   checkErrors();
   checkCopy();
   return result();
