@@ -98,6 +98,12 @@ vtkIdType vtkLimnPolyDataMapper::GetNumberOfGeometryBuilds()
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkLimnPolyDataMapper::GetNumberOfGeometryMoves()
+{
+  return this->Internals->Mesh.geometryMoves();
+}
+
+//------------------------------------------------------------------------------
 vtkUnsignedCharArray* vtkLimnPolyDataMapper::MapScalarsToColors(int& cellFlag)
 {
   // The setter would mark this mapper as modified, and with it everything drawn from it.

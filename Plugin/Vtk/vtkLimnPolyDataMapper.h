@@ -75,6 +75,13 @@ public:
   vtkIdType GetNumberOfGeometryBuilds();
 
   /**
+   * How often, since this mapper was made, the geometry has been moved along with points, for a
+   * fraction of the cost: a figure that stays the same while only scalars change, in a pipeline
+   * too.
+   */
+  vtkIdType GetNumberOfGeometryMoves();
+
+  /**
    * The colours of the input's scalars, one per point (`cellFlag` 0), one per cell (1) or per tuple
    * of the field data (2); nullptr if the property colours the surface. Never colours that are
    * meant to be looked up in a texture, whatever InterpolateScalarsBeforeMapping says.

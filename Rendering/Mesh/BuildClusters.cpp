@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -321,6 +322,29 @@ bool refitClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   if (!anyLow) dropLowParts(clusters);
   constexpr double kApart = 2;
   return allFinite && uniteBoxes(clusters) <= kApart * clusters.builtExtent;
+}
+
+bool areInPlace(const MeshView& mesh, int threads, const ClusteredMesh& clusters)
+{
+  if (clusters.notFiniteTriangles > 0 || !isFloatAtZero(mesh, clusters.origin)) return false;
+  constexpr std::size_t kChunk = 1 << 14;
+  std::atomic<bool> haveMoved = false;
+  parallelFor(threads, (clusters.vertexCount + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+    const std::size_t end = std::min(clusters.vertexCount, (chunk + 1) * kChunk);
+    for (std::size_t i = chunk * kChunk; i < end && !haveMoved; ++i) {
+      const Vec3f& p = mesh.positions[clusters.vertex[i]];
+      const Vec3f was = {clusters.x[i], clusters.y[i], clusters.z[i]};
+      if (std::memcmp(&p, &was, sizeof p) != 0) haveMoved = true;
+    }
+  });
+  return !haveMoved;
+}
+
+bool areInDisorder(const ClusteredMesh& clusters)
+{
+  constexpr double kOfSmoothSurfaces = 3;
+  return clusters.builtExtent * std::sqrt(static_cast<double>(clusters.clusters.size())) >
+         kOfSmoothSurfaces;
 }
 
 }  // namespace limn

@@ -318,5 +318,35 @@ TEST(RefitClusters, RefuseWhatHasToBeBuilt)
   EXPECT_FALSE(refitClusters(shuffled.view(), 0, clusters)) << "the clusters have come apart";
 }
 
+TEST(RefitClusters, TellWhetherAnyVertexHasMoved)
+{
+  const Mesh mesh = meshOf(torus(90, 70, 1, 0.4));
+  const ClusteredMesh clusters = clustersOf(mesh);
+  for (const int threads : {1, 3}) {
+    EXPECT_TRUE(areInPlace(mesh.view(), threads, clusters));
+    for (const std::size_t v : {std::size_t{0}, mesh.positions.size() - 1}) {
+      Mesh moved = mesh;
+      moved.positions[v].z = std::nextafter(moved.positions[v].z, 9.0f);
+      EXPECT_FALSE(areInPlace(moved.view(), threads, clusters)) << v;
+    }
+  }
+  Mesh broken = mesh;
+  broken.positions[77].y = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(areInPlace(broken.view(), 1, clusters));
+  EXPECT_FALSE(areInPlace(mesh.view(), 1, clustersOf(broken))) << "it may be finite now";
+  const Mesh far = bent(mesh, 1e6);
+  EXPECT_FALSE(areInPlace(far.view(), 1, clustersOf(far))) << "the clusters do not tell";
+}
+
+TEST(BuildClusters, TellDisorder)
+{
+  const Mesh mesh = meshOf(torus(200, 150, 1, 0.4));
+  EXPECT_FALSE(areInDisorder(clustersOf(mesh)));
+  Mesh shuffled = mesh;
+  for (std::size_t v = 0; v < shuffled.positions.size(); ++v)
+    shuffled.positions[v] = mesh.positions[v * 2741 % mesh.positions.size()];
+  EXPECT_TRUE(areInDisorder(clustersOf(shuffled)));
+}
+
 }  // namespace
 }  // namespace limn

@@ -243,6 +243,57 @@ void checkWhatIsPreparedAnew()
   CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 6);
   CHECK(!isChanged());
   CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 6);
+  // A filter modifies its output, of which the points are as they were.
+  stage.Mapper->ScalarVisibilityOn();
+  CHECK(isChanged());
+  const vtkIdType moves = stage.Mapper->GetNumberOfGeometryMoves();
+  elevation->SetLowPoint(0, -0.8, 0);
+  CHECK(isChanged());
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 6);
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryMoves(), moves);
+}
+
+/// Clusters of random points would stay bad when the points become a surface.
+void checkDisorderPasses()
+{
+  Stage stage;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetThetaResolution(120);
+  sphere->SetPhiResolution(120);
+  sphere->Update();
+  vtkNew<vtkPolyData> data;
+  data->DeepCopy(sphere->GetOutput());
+  const vtkSmartPointer<vtkPoints> order = data->GetPoints();
+  vtkNew<vtkPoints> points;
+  points->DeepCopy(order);
+  data->SetPoints(points);
+  stage.Mapper->SetInputData(data);
+  const vtkIdType count = points->GetNumberOfPoints();
+  const auto shuffle = [&](vtkIdType step)
+  {
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      points->SetPoint(i, order->GetPoint(i * step % count));
+    }
+    points->Modified();
+    return render(stage.Window);
+  };
+  shuffle(2741);
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 1);
+  // Built once more; then seldom, as it has not helped.
+  for (const vtkIdType step : { 3, 7, 11, 13, 17, 19, 23 })
+  {
+    shuffle(step * 331);
+  }
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 4);
+  for (int i = 0; i < 8; ++i)
+  {
+    shuffle(1);
+  }
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 5);
+  CHECK(shuffle(1) == pictureOfACopy(stage, data));
+  shuffle(2741);
+  CHECK_EQUAL(stage.Mapper->GetNumberOfGeometryBuilds(), 6);
 }
 
 void checkExaggerationFollowsItsMesh()
@@ -315,6 +366,7 @@ int TestLimnCaching(int, char*[])
   checkReplacedData();
   checkDataModifiedByObserver();
   checkWhatIsPreparedAnew();
+  checkDisorderPasses();
   checkExaggerationFollowsItsMesh();
   checkInputTakenAwayAndGivenBack();
   return result();

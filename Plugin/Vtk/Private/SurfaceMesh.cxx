@@ -61,9 +61,14 @@ bool SurfaceMesh::CellsVersion::operator==(const CellsVersion& other) const
          pointCount == other.pointCount && cellCount == other.cellCount;
 }
 
-bool SurfaceMesh::PointsVersion::operator==(const PointsVersion& other) const
+bool SurfaceMesh::PointsVersion::isOfSameArray(const PointsVersion& other) const
 {
   return points == other.points && time == other.time && moved == other.moved;
+}
+
+bool SurfaceMesh::PointsVersion::operator==(const PointsVersion& other) const
+{
+  return this->isOfSameArray(other) && dataTime == other.dataTime;
 }
 
 // Cells edited in place have to be marked as modified themselves, as for VTK's own mapper.
@@ -76,7 +81,9 @@ SurfaceMesh::CellsVersion SurfaceMesh::cellsVersionOf(vtkPolyData* data)
 
 SurfaceMesh::PointsVersion SurfaceMesh::pointsVersionOf(vtkPolyData* data) const
 {
-  return { data->GetPoints()->GetData(), pointsTimeOf(data), moved_->version() };
+  vtkPoints* const points = data->GetPoints();
+  return { points->GetData(), std::max(points->GetMTime(), points->GetData()->GetMTime()),
+    data->vtkObject::GetMTime(), moved_->version() };
 }
 
 Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
@@ -86,6 +93,14 @@ Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
   const bool sameCells = cells == cellsVersion_ && buildStatus_.ok();
   if (sameCells && points == pointsVersion_)
   {
+    return buildStatus_;
+  }
+  points_.set(data->GetPoints()->GetData());
+  // Filters hand on points and cells as they are in a data set that they modify.
+  if (sameCells && points.isOfSameArray(pointsVersion_) &&
+      areInPlace(this->view(), threads, clusters_))
+  {
+    pointsVersion_ = points;
     return buildStatus_;
   }
   cellsVersion_ = cells;
@@ -99,10 +114,29 @@ Status SurfaceMesh::updateGeometry(vtkPolyData* data, int threads)
   hull_ = {};
   hasHull_ = false;
   firstCorners_ = std::vector<Vec3d>();
-  points_.set(data->GetPoints()->GetData());
-  return sameCells && refitClusters(this->view(), threads, clusters_)
-           ? Status{}
-           : this->rebuild(data, threads);
+  if (sameCells && !this->isRebuildDue() && refitClusters(this->view(), threads, clusters_))
+  {
+    ++geometryMoves_;
+    return {};
+  }
+  return this->rebuild(data, threads);
+}
+
+bool SurfaceMesh::isRebuildDue()
+{
+  if (!areInDisorder(clusters_))
+  {
+    movesToWait_ = 1;
+    movesLeft_ = 1;
+    return false;
+  }
+  if (--movesLeft_ > 0)
+  {
+    return false;
+  }
+  movesToWait_ *= 2;
+  movesLeft_ = movesToWait_;
+  return true;
 }
 
 Status SurfaceMesh::update(

@@ -81,6 +81,8 @@ public:
   bool hasPointNormals() const { return !this->pointNormals_.span().empty(); }
   bool hasCellNormals() const { return !this->cellNormals().empty(); }
   vtkIdType geometryBuilds() const { return this->geometryBuilds_; }
+  /// Changes of points without a build.
+  vtkIdType geometryMoves() const { return this->geometryMoves_; }
   /// Grows with every change of triangles or points.
   vtkIdType geometryChanges() const { return this->geometryChanges_; }
 
@@ -105,13 +107,18 @@ private:
   {
     const void* points = nullptr;
     vtkMTimeType time = 0;
-    vtkMTimeType moved = 0; ///< MovedPoints::version()
+    vtkMTimeType dataTime = 0; ///< of the data set alone, which is modified for other reasons, too
+    vtkMTimeType moved = 0;    ///< MovedPoints::version()
 
+    bool isOfSameArray(const PointsVersion& other) const;
     bool operator==(const PointsVersion& other) const;
   };
   static CellsVersion cellsVersionOf(vtkPolyData* data);
   PointsVersion pointsVersionOf(vtkPolyData* data) const;
   Status updateGeometry(vtkPolyData* data, int threads);
+  /// Whether the points are moved for the first, second, fourth, eighth ... time since clusters
+  /// were built of points in disorder.
+  bool isRebuildDue();
   Status rebuild(vtkPolyData* data, int threads);
   Status supply(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
   Status supplySmoothNormals(vtkPolyData* data, const SurfaceNeeds& needs, int threads);
@@ -148,7 +155,10 @@ private:
   std::size_t cellCount_ = 0;
   bool isFlattened_ = false; ///< has faces, but none with an area
   vtkIdType geometryBuilds_ = 0;
+  vtkIdType geometryMoves_ = 0;
   vtkIdType geometryChanges_ = 0;
+  vtkIdType movesToWait_ = 1; ///< from one build in disorder to the next
+  vtkIdType movesLeft_ = 1;
 
   VectorArray pointNormals_;
   VectorArray cellNormals_;
