@@ -7,9 +7,11 @@
 #include "Rendering/Binning/BinClusters.h"
 #include "Rendering/CheckEffects.h"
 #include "Rendering/CheckScene.h"
+#include "Rendering/Lines/ApronDepths.h"
 #include "Rendering/Lines/DrawStrokes.h"
 #include "Rendering/Lines/ImageOutline.h"
 #include "Rendering/Lines/Panes.h"
+#include "Rendering/Lines/StrokePieces.h"
 #include "Rendering/Lines/Veil.h"
 #include "Rendering/Post/ClearPixels.h"
 #include "Rendering/Post/CompositeTile.h"
@@ -230,40 +232,43 @@ bool areNear(const TileRectangle& pixels, const TileRectangle& touched)
          touched.y0 <= pixels.y1;
 }
 
-/// Puts what the frame holds at its border into the depths around it.
-void copyBorderDepths(const FrameView& frame, SurfaceLayers& layers)
+/// The nearest depths of a tile beside the frame.
+void writeDepths(const VisibilityTile& tile, const TileRectangle& pixels, int samples,
+                 ApronDepths& around)
 {
-  if (layers.apron == 0) return;
-  const bool isCleared = frame.clear.extent != FrameClear::Extent::kNothing;
-  for (int y = -layers.apron; y < layers.endY(); ++y) {
-    const float* const row =
-        frame.depth + std::min(std::max(y, 0), frame.height - 1) * frame.rowStride;
-    const bool isInside = y >= 0 && y < frame.height;
-    for (int x = -layers.apron; x < layers.endX(); ++x) {
-      if (isInside && x == 0) x = frame.width;
-      layers.depth[layers.indexOf(x, y)] =
-          isCleared ? frame.clear.depth : row[std::min(std::max(x, 0), frame.width - 1)];
-    }
+  for (int y = pixels.y0; y < pixels.y1; ++y) {
+    float* const row = around.at(pixels.x0, y);
+    const int first = (y - pixels.y0) * kTileSide, width = pixels.x1 - pixels.x0;
+    std::copy_n(tile.depth[0] + first, width, row);
+    for (int s = 1; s < samples; ++s)
+      for (int x = 0; x < width; ++x)
+        row[x] = std::min(row[x], tile.depth[s][first + x]);
   }
 }
 
-/// Gives `surfaces` pixels next to the frame.
+/// Draws opaque surfaces beside the frame: their depths, and their layers unless `surfaces` is
+/// null.
 void drawApron(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
-               const LayerTarget& surfaces)
+               ApronDepths& around, const LayerTarget* surfaces)
 {
   const TileRectangle pixels = bins.rectangle(tile);
-  if (!areNear(pixels, bins.touchedWithApron)) return;
-  clearLayers(pixels, surfaces.layers);
+  if (surfaces != nullptr && areNear(pixels, bins.touchedWithApron)) {
+    SurfaceLayers& layers = surfaces->layers;
+    clearLayers(pixels, layers);
+    for (int y = pixels.y0; y < pixels.y1; ++y)
+      std::copy_n(around.at(pixels.x0, y), pixels.x1 - pixels.x0,
+                  layers.depth.data() + layers.indexOf(pixels.x0, y));
+  }
   if (bins.clustersOf(tile).empty()) return;
   const int samples = scene.scene->samples;
   TileMemory& memory = tileMemory();
   const std::size_t opaque = orderClusters(scene, bins, tile, memory.ordered);
   const TileClusters clusters = {&scene, {memory.ordered.data(), opaque}};
-  const SurfaceLayers& layers = surfaces.layers;
-  clearTile({layers.depth.data() + layers.indexOf(pixels.x0, pixels.y0),
-             static_cast<std::ptrdiff_t>(layers.stride())},
-            pixels, samples, memory.visible);
+  clearTile({around.at(pixels.x0, pixels.y0), around.strideAt(pixels.y0)}, pixels, samples,
+            memory.visible);
   rasterizeTile(clusters, pixels, samples, memory.visible);
+  writeDepths(memory.visible, pixels, samples, around);
+  if (surfaces == nullptr) return;
   collectFragments(memory.visible, pixels, samples, scene.optimizations.fragmentRuns,
                    memory.fragments);
   TileColors& colors = memory.colors;
@@ -271,7 +276,7 @@ void drawApron(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
   colors.hasColors = colors.hasRadiance = false;
   colors.hasNormals = colors.hasPlanes = true;
   memory.shader.shade(clusters, pixels, samples, memory.fragments, colors);
-  writeLayers(clusters, memory.visible, pixels, memory.fragments, colors, surfaces, nullptr);
+  writeLayers(clusters, memory.visible, pixels, memory.fragments, colors, *surfaces, nullptr);
 }
 
 TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
@@ -313,14 +318,21 @@ PixelRectangle rectangleOf(const TileRectangle& pixels)
   return {pixels.x0, pixels.y0, pixels.x1, pixels.y1};
 }
 
+/// What is around the frame before anything is drawn.
+ApronDepths& depthsAround(const FrameView& frame, int apron)
+{
+  thread_local ApronDepths depths;
+  depths.begin(frame, apron);
+  return depths;
+}
+
 /// Room for what the pixels show, if a pass over the finished picture asks for that.
-std::optional<LayerTarget> layersFor(const Scene& scene, const FrameView& frame)
+std::optional<LayerTarget> layersFor(const Scene& scene, const FrameView& frame, int apron)
 {
   const auto asks = [](const Instance& one) { return hasImageOutline(one) || hasCues(one); };
   if (std::none_of(scene.instances.begin(), scene.instances.end(), asks)) return {};
   thread_local SurfaceLayers layers;
-  beginLayers(scene, frame, layers);
-  copyBorderDepths(frame, layers);
+  beginLayers(scene, frame, apron, layers);
   const bool isWhole = std::any_of(scene.instances.begin(), scene.instances.end(), hasCues);
   return LayerTarget{frame.background, layers, isWhole};
 }
@@ -344,8 +356,9 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
                       RenderStats& stats)
 {
   const Stopwatch binTime;
-  const PlacedScene placed = placeScene(scene, {frame.width, frame.height, apronOf(scene)},
-                                        options.optimizations, options.threads);
+  const int apron = std::max(outlineApron(scene), strokeApron(scene));
+  const PlacedScene placed =
+      placeScene(scene, {frame.width, frame.height, apron}, options.optimizations, options.threads);
   TileBins bins;
   if (Status status = binClusters(placed, options.threads, bins); !status.ok()) return status;
   const bool drawsStrokes = hasLines(scene);
@@ -360,7 +373,9 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
   stats.binMilliseconds = binTime.milliseconds();
 
   const Stopwatch tileTime;
-  const std::optional<LayerTarget> layers = layersFor(scene, frame);
+  ApronDepths& around = depthsAround(frame, apron);
+  const std::optional<LayerTarget> layers = layersFor(scene, frame, apron);
+  const LayerTarget* const withApron = layers && layers->layers.apron > 0 ? &*layers : nullptr;
   std::optional<Veil> veil;
   if (Veil::isNeeded(scene, frame)) veil.emplace(bins.grid.count());
   std::optional<Panes> panes;
@@ -371,7 +386,7 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
                              panes ? &*panes : nullptr};
   std::atomic<std::size_t> occluded = 0, truncated = 0;
   parallelFor(options.threads, bins.count(), [&](std::size_t tile) {
-    if (tile >= bins.grid.count()) return drawApron(placed, bins, tile, *layers);
+    if (tile >= bins.grid.count()) return drawApron(placed, bins, tile, around, withApron);
     const TileStats drawn = drawTile(placed, bins, tile, frame, passes);
     occluded.fetch_add(drawn.occludedClusters, std::memory_order_relaxed);
     truncated.fetch_add(drawn.truncatedPixels, std::memory_order_relaxed);
@@ -380,15 +395,15 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     const PixelRectangle touched = rectangleOf(bins.touched);
     if (std::any_of(scene.instances.begin(), scene.instances.end(), hasCues))
       drawCues({scene, frame, layers->layers, touched, options.threads});
-    const PixelRectangle withApron = rectangleOf(bins.touchedWithApron);
-    if (std::any_of(scene.instances.begin(), scene.instances.end(), hasImageOutline))
-      drawImageOutlines({scene, frame, layers->layers, withApron, options.threads});
+    if (withApron != nullptr)
+      drawImageOutlines(
+          {scene, frame, layers->layers, rectangleOf(bins.touchedWithApron), options.threads});
   }
   if (veil && haveHalos) veil->addHalos(scene, layers->layers, bins.grid, *panes, options.threads);
   if (veil) veil->lay(frame, options.threads);
   if (drawsStrokes)
-    drawStrokes(scene, frame, layers ? &layers->layers : nullptr,
-                areBeforeLines ? passes.panes : nullptr, options.threads);
+    drawStrokes({scene, frame, around, layers ? &layers->layers : nullptr,
+                 areBeforeLines ? passes.panes : nullptr, options.threads});
   stats.occludedClusters = occluded;
   stats.truncatedPixels = truncated;
   stats.tileMilliseconds = tileTime.milliseconds();

@@ -242,24 +242,25 @@ TileRectangle boundStrokes(const Scene& scene, int width, int height, int thread
           pixelOf(std::ceil(box.x1), width), pixelOf(std::ceil(box.y1), height)};
 }
 
-void drawStrokes(const Scene& scene, const FrameView& frame, const SurfaceLayers* layers,
-                 const Panes* panes, int threads)
+void drawStrokes(const StrokePass& pass)
 {
-  const StrokePlan plan = findStrokePieces(scene, frame, threads);
+  const Scene& scene = pass.scene;
+  const FrameView& frame = pass.frame;
+  const StrokePlan plan = findStrokePieces(scene, frame, pass.around, pass.threads);
   if (plan.pieces.empty()) return;
   const TileGrid grid = {frame.width, frame.height};
-  StrokeBins bins(plan, grid, threads);
+  StrokeBins bins(plan, grid, pass.threads);
   std::optional<HaloCut> cut;
-  if (layers != nullptr && !layers->halo.empty()) cut.emplace(scene, *layers);
+  if (pass.layers != nullptr && !pass.layers->halo.empty()) cut.emplace(scene, *pass.layers);
   std::vector<std::vector<LinePixel>> linePixels(grid.count());
-  parallelFor(threads, grid.count(), [&](std::size_t tile) {
+  parallelFor(pass.threads, grid.count(), [&](std::size_t tile) {
     const Span<const std::uint32_t> pieces = bins.sorted(tile);
     if (pieces.empty()) return;
     TilePainter painter(plan, frame, cut ? &*cut : nullptr, scene.samples, grid.rectangle(tile));
-    if (panes == nullptr) {
+    if (pass.panes == nullptr) {
       painter.paint(pieces, [](const StrokeGroup&) { return true; });
     } else {
-      painter.setPanes(panes->tile(tile));
+      painter.setPanes(pass.panes->tile(tile));
       for (const bool isTranslucent : {false, true})
         painter.paint(pieces, [&](const StrokeGroup& group) {
           return scene.instances[group.instance].isTranslucent() == isTranslucent;

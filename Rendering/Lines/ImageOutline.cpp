@@ -88,11 +88,11 @@ class NearPixels {
 
 }  // namespace
 
-void beginLayers(const Scene& scene, const FrameView& frame, SurfaceLayers& layers)
+void beginLayers(const Scene& scene, const FrameView& frame, int apron, SurfaceLayers& layers)
 {
   layers.width = frame.width;
   layers.height = frame.height;
-  layers.apron = apronOf(scene);
+  layers.apron = outlineApron(scene) > 0 ? apron : 0;
   layers.offsets = samplePositions(scene.samples);
   layers.toView.emplace(scene.camera, frame.width, frame.height);
   const std::size_t pixels = layers.indexOf(-layers.apron, layers.endY());

@@ -34,6 +34,14 @@ inline constexpr float kHiddenDash = 2.5f, kHiddenGap = 1.5f;
 inline constexpr double kSlopePixels = 0.5;
 inline constexpr double kDepthBias = 1e-6;
 inline constexpr double kBridgedSlack = 4;  ///< LineSet::slack
+/// What is seen of lines whose middle is outside of the frame is decided by surfaces out there,
+/// too: so many pixels farther out than half a line's width and the width of a pixel. Two are those
+/// of points in a row that count for each other, one that of a point that lies half outside, and
+/// two show how the surfaces slope.
+inline constexpr int kStrokeApron = 5;
+/// But no more than this, that of the widest style; kOuterLines that are wider take surfaces beyond
+/// to be those of the nearest pixel within.
+inline constexpr int kWidestStrokeApron = 134;
 
 /// Lengths are pixels of the screen, whatever the distance, the tilt or the size of the picture.
 struct LineStyle {
@@ -47,6 +55,7 @@ struct LineStyle {
   LineCap cap = LineCap::kRound;
 };
 inline constexpr float kMaxLineWidth = 256;
+static_assert(kWidestStrokeApron == static_cast<int>(kMaxLineWidth / 2) + 1 + kStrokeApron);
 /// In pixels. Of longer segments double does not tell the part that is in the picture.
 inline constexpr double kLongestSegment = 1e12;
 
@@ -73,7 +82,9 @@ enum LineFlag : std::uint8_t {
 /// 3 x 3 pixels there does not hide it. Each pixel's depth is carried over to the line's point by
 /// how it slopes to its neighbour in x and in y, of two the one that slopes less, and less
 /// kSlopePixels of that slope. So a line in a surface is seen at any tilt, and one that lies some
-/// way behind it is not. What most of five points in a row are all are.
+/// way behind it is not. What most of five points in a row are all are. Points, and the surfaces
+/// next to the frame, are those of a larger picture; what the frame has held before is taken to go
+/// on as at its border.
 struct LineSet {
   MeshView points;                   ///< triangles are not read
   Span<const std::uint32_t> vertex;  ///< points of all chains, one after another

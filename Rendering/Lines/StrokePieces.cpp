@@ -21,18 +21,15 @@ enum class Seen : std::uint8_t {
   kVisible
 };
 
-/// What tells whether a sample is seen.
-enum class Evidence : std::uint8_t {
-  kDepth,
-  kNone,   ///< beyond the picture's border, or next to it; a wide line may still show its half
-  kOther,  ///< nothing that its neighbours share
-};
+/// So many samples on either side count for one, too.
+constexpr int kSmoothed = 2;
 
-/// A segment before the near plane, of which the shares from `from` to `to` may be in the picture.
+/// A segment before the near plane. Its samples lie evenly, about a pixel apart, wherever the
+/// picture ends; those are kept that may be in the picture, or count for such.
 struct PathSegment {
   LinePoint a, b;
-  double from, to;
-  double start, length;  ///< along the chain, in pixels
+  double start, length;    ///< along the chain, in pixels
+  double samples, before;  ///< that it has, and that come before the first that is kept
   bool isOuter;
   bool continues;  ///< begins where the one before it in the chain ends, both unclipped
   bool endsUnclipped;
@@ -47,8 +44,14 @@ struct PathSegment {
 /// The chain's part of a set, cut into pieces. Kept from chain to chain for its memory.
 class ChainCutter {
  public:
-  ChainCutter(const LineSet& set, const LinePlace& place, const FrameView& frame)
-      : set_(set), style_(set.style), place_(place), frame_(frame), margin_(strokeReach(set.style))
+  ChainCutter(const LineSet& set, const LinePlace& place, const FrameView& frame,
+              const ApronDepths& around)
+      : set_(set),
+        style_(set.style),
+        place_(place),
+        frame_(frame),
+        around_(around),
+        margin_(strokeReach(set.style) + kSmoothed)
   {
   }
 
@@ -59,17 +62,18 @@ class ChainCutter {
     isClosed_ = end_ - first_ > 2 && set_.vertex[first_] == set_.vertex[end_ - 1];
     segments_.clear();
     seen_.clear();
-    evidence_.clear();
     hasGaps_ = false;
     placeSegments();
     if (hasGaps_) bridgeGaps();
-    carryBeyond();
     smooth();
     for (std::size_t i = 0; i < segments_.size(); ++i)
       addRuns(i, pieces);
   }
 
  private:
+  /// Pixels around that of a sample whose depths count.
+  static constexpr int kReach = 2, kWindow = 2 * kReach + 1;
+
   void placeSegments()
   {
     double start = 0;
@@ -91,16 +95,18 @@ class ChainCutter {
       if (segment.length <= kShortest) continue;
       segment.start = start;
       start += segment.length;
-      if (!clipToPicture(segment)) {
+      if (!keepSamples(segment)) {
         isUnbroken = false;
         continue;
       }
+      const bool isCutBefore = clipsStart || segment.before > 0;
+      const bool isCutAfter =
+          clipsEnd || segment.before + static_cast<double>(segment.sampleCount) < segment.samples;
       const std::uint8_t flags = set_.flags.empty() ? std::uint8_t{0} : set_.flags[i];
       segment.isOuter = (flags & kOuterLine) != 0;
-      segment.continues = isUnbroken && !clipsStart && segment.from == 0;
-      segment.endsUnclipped = !clipsEnd && segment.to == 1;
-      if (segments_.empty())
-        startsUnclipped_ = !clipsStart && segment.from == 0 && start == segment.length;
+      segment.continues = isUnbroken && !isCutBefore;
+      segment.endsUnclipped = !isCutAfter;
+      if (segments_.empty()) startsUnclipped_ = !isCutBefore && start == segment.length;
       addSamples(segment, (flags & kConcealedLine) != 0);
       segments_.push_back(segment);
       isUnbroken = segment.endsUnclipped;
@@ -111,31 +117,35 @@ class ChainCutter {
       segments_[0].continues = true;
   }
 
-  /// Liang and Barsky's. False if nothing is left.
-  bool clipToPicture(PathSegment& segment) const
+  /// Those of the part that Liang and Barsky's algorithm leaves. False if there are none.
+  bool keepSamples(PathSegment& segment) const
   {
-    segment.from = 0;
-    segment.to = 1;
+    const LinePoint &a = segment.a, &b = segment.b;
     const double limitX = frame_.width + margin_, limitY = frame_.height + margin_;
-    return clipSide(segment, segment.a.x + margin_, segment.b.x + margin_) &&
-           clipSide(segment, limitX - segment.a.x, limitX - segment.b.x) &&
-           clipSide(segment, segment.a.y + margin_, segment.b.y + margin_) &&
-           clipSide(segment, limitY - segment.a.y, limitY - segment.b.y);
+    double from = 0, to = 1;
+    if (!clipSide(a.x + margin_, b.x + margin_, from, to) ||
+        !clipSide(limitX - a.x, limitX - b.x, from, to) ||
+        !clipSide(a.y + margin_, b.y + margin_, from, to) ||
+        !clipSide(limitY - a.y, limitY - b.y, from, to))
+      return false;
+    segment.samples = std::ceil(segment.length);
+    segment.before = std::min(std::floor(from * segment.samples), segment.samples - 1);
+    const double end = std::max(std::ceil(to * segment.samples), segment.before + 1);
+    segment.sampleCount = static_cast<std::size_t>(end - segment.before);
+    return true;
   }
   /// Keeps the part where the distance to a side, linear from a to b, is not negative.
-  static bool clipSide(PathSegment& segment, double a, double b)
+  static bool clipSide(double a, double b, double& from, double& to)
   {
     if (a < 0 && b < 0) return false;
-    if (a < 0) segment.from = std::max(segment.from, a / (a - b));
-    if (b < 0) segment.to = std::min(segment.to, a / (a - b));
-    return segment.from < segment.to;
+    if (a < 0) from = std::max(from, a / (a - b));
+    if (b < 0) to = std::min(to, a / (a - b));
+    return from < to;
   }
 
   void addSamples(PathSegment& segment, bool isConcealed)
   {
     segment.firstSample = seen_.size();
-    segment.sampleCount = static_cast<std::size_t>(
-        std::max(1.0, std::ceil(segment.length * (segment.to - segment.from))));
     for (std::size_t i = 0; i < segment.sampleCount; ++i) {
       const double share = shareAt(segment, static_cast<double>(i) + 0.5);
       const double depth = segment.at(share, &LinePoint::depth);
@@ -147,90 +157,50 @@ class ChainCutter {
       else
         seen_.push_back(isVisible(segment, share, &LinePoint::tested) ? Seen::kVisible
                                                                       : Seen::kHidden);
-      evidence_.push_back(!isTested                  ? Evidence::kOther
-                          : isBeyond(segment, share) ? Evidence::kNone
-                                                     : Evidence::kDepth);
       if (!segment.isOuter || set_.slack.empty()) continue;
-      if (evidence_.back() != Evidence::kDepth || seen_.back() != Seen::kHidden) continue;
+      if (!isTested || seen_.back() != Seen::kHidden) continue;
       if (!isVisible(segment, share, &LinePoint::bridged)) continue;
       seen_.back() = Seen::kBridged;
       hasGaps_ = true;
     }
   }
-  /// Or so near to the border that the picture does not show what is on either side.
-  bool isBeyond(const PathSegment& segment, double share) const
-  {
-    const double x = segment.at(share, &LinePoint::x), y = segment.at(share, &LinePoint::y);
-    return !(x >= 1 && x < frame_.width - 1 && y >= 1 && y < frame_.height - 1);
-  }
 
-  /// Calls body(first, end) for the samples of segments that continue each other.
-  template <class Body>
-  void forEachUnbroken(const Body& body) const
+  /// LineSet::slack. Gaps that end too far outside to be told are none that it bridges.
+  void bridgeGaps()
   {
     for (std::size_t s = 0; s < segments_.size();) {
       const std::size_t first = segments_[s].firstSample;
       for (++s; s < segments_.size() && segments_[s].continues;)
         ++s;
-      body(first, s < segments_.size() ? segments_[s].firstSample : seen_.size());
+      bridgeGaps(first, s < segments_.size() ? segments_[s].firstSample : seen_.size());
     }
   }
-
-  /// LineSet::slack.
-  void bridgeGaps()
+  /// Of the samples of segments that continue each other.
+  void bridgeGaps(std::size_t first, std::size_t end)
   {
-    forEachUnbroken([this](std::size_t first, std::size_t end) {
-      const bool isRing = first == 0 && end == seen_.size() && segments_[0].continues;
-      // A ring is gone around from a sample on that is in no gap.
-      std::size_t start = first;
-      while (isRing && start < end && seen_[start] == Seen::kBridged)
-        ++start;
-      const std::size_t count = end - first, turned = start - first;
-      const auto at = [&](std::size_t i) -> Seen& { return seen_[first + (turned + i) % count]; };
-      for (std::size_t i = 0; i < count;) {
-        std::size_t next = i;
-        while (next < count && at(next) == Seen::kBridged)
-          ++next;
-        const bool isBefore = i > 0 && at(i - 1) == Seen::kVisible;
-        const bool isAfter =
-            next < count ? at(next) == Seen::kVisible : isRing && at(0) == Seen::kVisible;
-        for (; i < next; ++i)
-          at(i) = isBefore && isAfter ? Seen::kVisible : Seen::kHidden;
-        ++i;
-      }
-    });
-  }
-
-  /// Beyond the border a line is seen if it last was in the picture, or will be next.
-  void carryBeyond()
-  {
-    forEachUnbroken([this](std::size_t first, std::size_t end) {
-      for (std::size_t i = first; i < end;) {
-        std::size_t next = i + 1;
-        while (next < end &&
-               (evidence_[next] == Evidence::kNone) == (evidence_[i] == Evidence::kNone))
-          ++next;
-        if (evidence_[i] == Evidence::kNone)
-          settleBeyond(i, next, i > first && tells(i - 1), next < end && tells(next));
-        i = next;
-      }
-    });
-  }
-  bool tells(std::size_t sample) const { return evidence_[sample] == Evidence::kDepth; }
-  void settleBeyond(std::size_t first, std::size_t end, bool asBefore, bool asAfter)
-  {
-    if (!asBefore && !asAfter) return;
-    const bool isSeen = (asBefore && seen_[first - 1] == Seen::kVisible) ||
-                        (asAfter && seen_[end] == Seen::kVisible);
-    std::fill(seen_.begin() + static_cast<std::ptrdiff_t>(first),
-              seen_.begin() + static_cast<std::ptrdiff_t>(end),
-              isSeen ? Seen::kVisible : Seen::kHidden);
+    const bool isRing = first == 0 && end == seen_.size() && segments_[0].continues;
+    // A ring is gone around from a sample on that is in no gap.
+    std::size_t start = first;
+    while (isRing && start < end && seen_[start] == Seen::kBridged)
+      ++start;
+    const std::size_t count = end - first, turned = start - first;
+    const auto at = [&](std::size_t i) -> Seen& { return seen_[first + (turned + i) % count]; };
+    for (std::size_t i = 0; i < count;) {
+      std::size_t next = i;
+      while (next < count && at(next) == Seen::kBridged)
+        ++next;
+      const bool isBefore = i > 0 && at(i - 1) == Seen::kVisible;
+      const bool isAfter =
+          next < count ? at(next) == Seen::kVisible : isRing && at(0) == Seen::kVisible;
+      for (; i < next; ++i)
+        at(i) = isBefore && isAfter ? Seen::kVisible : Seen::kHidden;
+      ++i;
+    }
   }
 
   static double shareAt(const PathSegment& segment, double sample)
   {
-    return segment.from +
-           (segment.to - segment.from) * (sample / static_cast<double>(segment.sampleCount));
+    return (segment.before + sample) / segment.samples;
   }
 
   bool isVisible(const PathSegment& segment, double share, double LinePoint::*by) const
@@ -238,17 +208,17 @@ class ChainCutter {
     const double x = segment.at(share, &LinePoint::x), y = segment.at(share, &LinePoint::y);
     const double tested = segment.at(share, by);
     const int column = inside(x, frame_.width), row = inside(y, frame_.height);
-    if (isDeepBehind(column, row, tested)) return false;
+    float copy[kWindow * kWindow];
+    const auto [here, stride] = depthsAt(column, row, copy);
+    if (isDeepBehind(here, stride, tested)) return false;
     // The pixel itself first: it mostly settles it.
     constexpr int kOrder[9][2] = {{0, 0},   {-1, 0}, {1, 0},  {0, -1}, {0, 1},
                                   {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
     for (const auto& [dx, dy] : kOrder) {
-      const int c = std::min(std::max(column + dx, 0), frame_.width - 1);
-      const int r = std::min(std::max(row + dy, 0), frame_.height - 1);
-      const float* const depth = frame_.depth + r * frame_.rowStride + c;
-      const double slopeX = slopeAt(depth, 1, c, frame_.width);
-      const double slopeY = slopeAt(depth, frame_.rowStride, r, frame_.height);
-      const double carried = *depth + (slopeX * (x - (c + 0.5)) + slopeY * (y - (r + 0.5)));
+      const float* const depth = here + dy * stride + dx;
+      const double slopeX = slopeAt(depth, 1), slopeY = slopeAt(depth, stride);
+      const double alongX = x - (column + dx + 0.5), alongY = y - (row + dy + 0.5);
+      const double carried = *depth + (slopeX * alongX + slopeY * alongY);
       const double bias = kSlopePixels * (std::fabs(slopeX) + std::fabs(slopeY)) + kDepthBias;
       if (carried + bias >= tested) return true;
     }
@@ -257,15 +227,11 @@ class ChainCutter {
   /// Whether a depth is farther than what can be carried there from any of the pixels around: these
   /// are less than two pixels away in x and y, half of one more counts, and slopes are differences
   /// between them and those beside them.
-  bool isDeepBehind(int column, int row, double tested) const
+  static bool isDeepBehind(const float* here, std::ptrdiff_t stride, double tested)
   {
-    constexpr int kReach = 2;
-    if (column < kReach || row < kReach || column + kReach >= frame_.width ||
-        row + kReach >= frame_.height)
-      return false;
-    const float* at = frame_.depth + (row - kReach) * frame_.rowStride + (column - kReach);
+    const float* at = here - kReach * stride - kReach;
     float low = *at, high = *at;
-    for (int y = 0; y <= 2 * kReach; ++y, at += frame_.rowStride)
+    for (int y = 0; y <= 2 * kReach; ++y, at += stride)
       for (int x = 0; x <= 2 * kReach; ++x) {
         low = at[x] < low ? at[x] : low;
         high = at[x] > high ? at[x] : high;
@@ -276,17 +242,38 @@ class ChainCutter {
   }
   /// How the depth grows from pixel to pixel. Of the two sides the one that slopes less: the other
   /// may be the edge of something else.
-  static double slopeAt(const float* depth, std::ptrdiff_t step, int place, int size)
+  static double slopeAt(const float* depth, std::ptrdiff_t step)
   {
-    const double here = *depth;
-    const double before = place > 0 ? here - depth[-step] : HUGE_VAL;
-    const double after = place + 1 < size ? depth[step] - here : HUGE_VAL;
-    const double less = std::fabs(before) < std::fabs(after) ? before : after;
-    return less < HUGE_VAL ? less : 0.0;
+    const double here = *depth, before = here - depth[-step], after = depth[step] - here;
+    return std::fabs(before) < std::fabs(after) ? before : after;
   }
-  static int inside(double coordinate, int size)
+  /// The pixel of a coordinate, or the next one around which depths are known.
+  int inside(double coordinate, int size) const
   {
-    return static_cast<int>(std::min(std::max(std::floor(coordinate), 0.0), size - 1.0));
+    const double first = kReach - around_.apron(), last = size - 1 - first;
+    return static_cast<int>(std::min(std::max(std::floor(coordinate), first), last));
+  }
+
+  /// Depths of pixels, one of which is `here`.
+  struct DepthRows {
+    const float* here;
+    std::ptrdiff_t stride;
+  };
+  /// Around a pixel, of `copy` where the frame does not have them all.
+  DepthRows depthsAt(int column, int row, float (&copy)[kWindow * kWindow]) const
+  {
+    if (column >= kReach && row >= kReach && column + kReach < frame_.width &&
+        row + kReach < frame_.height)
+      return {frame_.depth + row * frame_.rowStride + column, frame_.rowStride};
+    float* next = copy;
+    for (int y = row - kReach; y <= row + kReach; ++y)
+      for (int x = column - kReach; x <= column + kReach; ++x)
+        *next++ = isInFrame(x, y) ? frame_.depth[y * frame_.rowStride + x] : *around_.at(x, y);
+    return {copy + kReach * kWindow + kReach, kWindow};
+  }
+  bool isInFrame(int x, int y) const
+  {
+    return x >= 0 && y >= 0 && x < frame_.width && y < frame_.height;
   }
 
   /// What three of five samples say, so that a single one changes nothing.
@@ -297,7 +284,7 @@ class ChainCutter {
     for (std::ptrdiff_t i = 0; i <= last; ++i) {
       if (raw_[static_cast<std::size_t>(i)] == Seen::kOutside) continue;
       int visible = 0;
-      for (std::ptrdiff_t k = i - 2; k <= i + 2; ++k) {
+      for (std::ptrdiff_t k = i - kSmoothed; k <= i + kSmoothed; ++k) {
         const std::ptrdiff_t near = std::min(std::max<std::ptrdiff_t>(k, 0), last);
         visible += raw_[static_cast<std::size_t>(near)] == Seen::kVisible ? 1 : 0;
       }
@@ -434,6 +421,7 @@ class ChainCutter {
   const LineStyle& style_;
   const LinePlace& place_;
   const FrameView& frame_;
+  const ApronDepths& around_;
   double margin_;
   std::size_t first_ = 0, end_ = 0;
   bool isClosed_ = false, startsUnclipped_ = false, endsUnclipped_ = false;
@@ -441,7 +429,6 @@ class ChainCutter {
   double length_ = 0;     ///< of the chain
   std::vector<PathSegment> segments_;
   std::vector<Seen> seen_, raw_;
-  std::vector<Evidence> evidence_;  ///< of each in seen_
 };
 
 /// A thread cuts chains of about so many points at a time.
@@ -484,7 +471,18 @@ void join(const std::vector<PlacedSet>& sets, const std::vector<CutTask>& tasks,
 
 }  // namespace
 
-StrokePlan findStrokePieces(const Scene& scene, const FrameView& frame, int threads)
+int strokeApron(const Scene& scene)
+{
+  double reach = 0;
+  for (const Instance& instance : scene.instances)
+    for (const LineSet& set : instance.lines)
+      reach = std::max(reach, strokeReach(set.style));
+  if (!(reach > 0)) return 0;
+  return static_cast<int>(std::min<double>(std::ceil(reach) + kStrokeApron, kWidestStrokeApron));
+}
+
+StrokePlan findStrokePieces(const Scene& scene, const FrameView& frame, const ApronDepths& around,
+                            int threads)
 {
   StrokePlan plan;
   std::vector<PlacedSet> sets;
@@ -507,7 +505,7 @@ StrokePlan findStrokePieces(const Scene& scene, const FrameView& frame, int thre
   parallelFor(threads, tasks.size(), [&](std::size_t t) {
     CutTask& task = tasks[t];
     const PlacedSet& placed = sets[task.set];
-    ChainCutter cutter(placed.set, placed.place, frame);
+    ChainCutter cutter(placed.set, placed.place, frame, around);
     for (std::size_t chain = task.firstChain; chain < task.endChain; ++chain)
       cutter.cut(chain, task.pieces);
   });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Rendering/FrameView.h"
+#include "Rendering/Lines/ApronDepths.h"
 #include "Rendering/Scene.h"
 
 #include <cstddef>
@@ -40,8 +41,13 @@ inline double strokeReach(const LineStyle& style)
   return 0.5 * static_cast<double>(style.width) * factor + 1.0;
 }
 
-/// Cuts the scene's lines into pieces by what `frame.depth` hides: the depths of all its surfaces.
-/// In the order of instances, sets and chains, on any number of threads.
-StrokePlan findStrokePieces(const Scene& scene, const FrameView& frame, int threads);
+/// How many pixels outside of a frame tell what is seen of its lines; 0 if there are none.
+int strokeApron(const Scene& scene);
+
+/// Cuts the scene's lines into pieces by what hides them: `frame.depth` are the depths of all its
+/// surfaces, and `around` those of strokeApron() pixels around it, or more. In the order of
+/// instances, sets and chains, on any number of threads.
+StrokePlan findStrokePieces(const Scene& scene, const FrameView& frame, const ApronDepths& around,
+                            int threads);
 
 }  // namespace limn

@@ -154,8 +154,8 @@ inline bool hasImageOutline(const Instance& instance)
          instance.style.outlineWidth > 0.0f && !instance.isTranslucent();
 }
 
-/// How many pixels outside of a frame its lines come from.
-inline int apronOf(const Scene& scene)
+/// How many pixels outside of a frame the lines of its outlines come from.
+inline int outlineApron(const Scene& scene)
 {
   int apron = 0;
   for (const Instance& instance : scene.instances)

@@ -72,8 +72,8 @@ std::uint8_t roundedByte(float x)
 
 class Outlines {
  public:
-  Outlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
-      : scene_(scene), frame_(frame), layers_(layers), apron_(outlineApron(scene))
+  Outlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers, int apron)
+      : scene_(scene), frame_(frame), layers_(layers), apron_(apron)
   {
     edges_.resize(layers.size());
     right_.resize(layers.size());
@@ -1139,9 +1139,10 @@ int outlineApron(const Scene& scene)
   return widest > 0 ? static_cast<int>(std::ceil(widest)) + ImageOutline::kApron : 0;
 }
 
-void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
+void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
+                  int apron)
 {
-  Outlines(scene, frame, layers).draw();
+  Outlines(scene, frame, layers, apron).draw();
 }
 
 }  // namespace limn::reference

@@ -48,7 +48,8 @@ float meanOfRest(float pixel, float own, const Layer& l);  ///< of radiance
 int outlineApron(const Scene& scene);
 
 /// Draws the lines of Style::imageOutline, pixel after pixel. `layers` are those of all pixels of
-/// the frame and of the apron around it, row by row.
-void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers);
+/// the frame and of so many around it, at least outlineApron(), row by row.
+void drawOutlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
+                  int apron);
 
 }  // namespace limn::reference

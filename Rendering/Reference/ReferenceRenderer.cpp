@@ -377,6 +377,20 @@ class Picture {
     return result;
   }
 
+  /// The nearest ones by now, those around the frame, too.
+  WiderDepths depths()
+  {
+    WiderDepths result = {apron_, {}};
+    for (int y = -apron_; y < frame_.height + apron_; ++y)
+      for (int x = -apron_; x < frame_.width + apron_; ++x) {
+        float nearest = sample(x, y, 0).depth;
+        for (std::size_t s = 1; s < offsets_.size(); ++s)
+          nearest = std::min(nearest, sample(x, y, s).depth);
+        result.depth.push_back(isInFrame(x, y) ? frame_.depth[frameIndex(x, y)] : nearest);
+      }
+    return result;
+  }
+
   /// With `isVeiled` translucent surfaces are left to layVeil().
   void shadeAll(bool isVeiled)
   {
@@ -965,7 +979,8 @@ bool hasPanes(const Scene& scene, const FrameView& frame)
 
 std::size_t render(const Scene& scene, const FrameView& frame)
 {
-  Picture picture(scene, frame, outlineApron(scene));
+  const int apron = std::max(outlineApron(scene), strokeApron(scene));
+  Picture picture(scene, frame, apron);
   picture.findVisible();
   const std::size_t truncated = picture.findTranslucent();
   const bool hasVeil = isVeiled(scene, frame);
@@ -978,7 +993,7 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   std::vector<Layer> layers;
   if (areCued || areOutlined) layers = picture.layersOfAll();
   if (areCued) drawCues(scene, frame, layers);
-  if (areOutlined) drawOutlines(scene, frame, picture.withApron(layers));
+  if (areOutlined) drawOutlines(scene, frame, picture.withApron(layers), apron);
   const HalosOverPanes halos(scene, frame, layers);
   if (hasVeil && areCued) picture.setHalos(&halos);
   if (hasVeil) picture.layVeil();
@@ -987,7 +1002,7 @@ std::size_t render(const Scene& scene, const FrameView& frame)
     panes = [&](int x, int y, Vec3f color, float depth, std::uint32_t instance) {
       return picture.behindPanes(x, y, color, depth, instance);
     };
-  drawStrokes(scene, frame, layers, panes);
+  drawStrokes(scene, frame, picture.depths(), layers, panes);
   return truncated;
 }
 

@@ -51,20 +51,18 @@ enum class Seen { kNo, kHidden, kYes };
 /// A segment of a chain that is before the eye.
 struct Segment {
   Dot a, b;
-  double from = 0, to = 1;  ///< shares inside the picture and its margin
-  double start, length;     ///< along the chain
+  double from = 0, to = 1;   ///< shares inside the picture and its margin
+  double start, length;      ///< along the chain
+  double all = 1, left = 0;  ///< samples from a to b, and those of them before `seen`
   std::uint8_t flags;
   bool startsWhole, endsWhole;  ///< nothing was cut off there
   bool follows;                 ///< the segment before it ends where this one starts
   std::vector<Seen> seen;       ///< sample by sample
-  std::vector<char> isLeft;     ///< to its neighbours: the picture does not show what is about it
-  std::vector<char> isAsked;    ///< whether depths told
   std::vector<char> mayBeGap;   ///< hidden, but by no more than facets of the line's own can
 
   double share(std::size_t sample, double offset) const
   {
-    return from + (to - from) *
-                      ((static_cast<double>(sample) + offset) / static_cast<double>(seen.size()));
+    return (left + static_cast<double>(sample) + offset) / all;
   }
 };
 
@@ -78,24 +76,29 @@ struct Piece {
 
 constexpr float kNoDepth = 2;
 constexpr double kShortest = 1e-6;
+constexpr int kVoters = 2;  ///< to either side of a sample, of what it becomes
 constexpr int kBlock = 64;  ///< lines are told by their distance to the corner of such blocks
+
+/// Farther from its middle a line has no pixels.
+double reachOf(const LineStyle& style)
+{
+  const double factor = std::max(1.0, static_cast<double>(style.outerFactor));
+  return 0.5 * static_cast<double>(style.width) * factor + 1.0;
+}
 
 class Lines {
  public:
-  Lines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
-        const PanesOver& panes)
+  Lines(const Scene& scene, const FrameView& frame, const WiderDepths& depths,
+        const std::vector<Layer>& layers, const PanesOver& panes)
       : scene_(scene),
         frame_(frame),
+        depths_(depths),
         layers_(layers),
         panes_(panes),
         toView_(scene.camera, frame.width, frame.height)
   {
     const auto pixels =
         static_cast<std::size_t>(frame.width) * static_cast<std::size_t>(frame.height);
-    old_.resize(pixels);
-    for (int y = 0; y < frame.height; ++y)
-      for (int x = 0; x < frame.width; ++x)
-        old_[pixel(x, y)] = frame.depth[y * frame.rowStride + x];
     coverage_.resize(pixels);
     depth_.resize(pixels);
     if (isSplit()) open_.resize(pixels, Open{{0, 0, 0, 0}, 1});
@@ -210,11 +213,10 @@ class Lines {
     return result;
   }
 
-  /// The shares of the segment in the picture and a margin about it. False if there are none.
+  /// Makes samples of the segment in the picture and a margin about it. False if there are none.
   bool clipToPicture(const LineSet& set, Segment& s) const
   {
-    const double factor = std::max(1.0, static_cast<double>(set.style.outerFactor));
-    const double margin = 0.5 * static_cast<double>(set.style.width) * factor + 1.0;
+    const double margin = reachOf(set.style) + kVoters;
     const double sides[4][2] = {{s.a.x + margin, s.b.x + margin},
                                 {frame_.width + margin - s.a.x, frame_.width + margin - s.b.x},
                                 {s.a.y + margin, s.b.y + margin},
@@ -225,38 +227,44 @@ class Lines {
       if (b < 0) s.to = std::min(s.to, a / (a - b));
       if (!(s.from < s.to)) return false;
     }
-    s.startsWhole = s.startsWhole && s.from == 0;
-    s.endsWhole = s.endsWhole && s.to == 1;
+    // A sample of which a part is in there is a whole one all the same.
+    s.all = std::ceil(s.length);
+    s.left = std::min(std::floor(s.from * s.all), s.all - 1);
+    const double right = std::max(std::ceil(s.to * s.all), s.left + 1);
+    s.seen.resize(static_cast<std::size_t>(right - s.left));
+    s.startsWhole = s.startsWhole && s.left == 0;
+    s.endsWhole = s.endsWhole && right == s.all;
     return true;
   }
 
-  /// How depths grow from a pixel to one of its neighbours; nullopt outside of the picture.
-  std::optional<double> growth(int x, int y, int nextX, int nextY) const
+  double depthOf(int x, int y) const
   {
-    if (nextX < 0 || nextY < 0 || nextX >= frame_.width || nextY >= frame_.height)
-      return std::nullopt;
-    return static_cast<double>(old_[pixel(nextX, nextY)]) - static_cast<double>(old_[pixel(x, y)]);
+    const int columns = frame_.width + 2 * depths_.apron;
+    return depths_
+        .depth[static_cast<std::size_t>(y + depths_.apron) * static_cast<std::size_t>(columns) +
+               static_cast<std::size_t>(x + depths_.apron)];
   }
   /// The gentler one of the slopes to the two sides.
-  static double slope(std::optional<double> toBefore, std::optional<double> toAfter)
+  static double slope(double before, double here, double after)
   {
-    if (toBefore && toAfter)
-      return std::fabs(*toBefore) < std::fabs(*toAfter) ? -*toBefore : *toAfter;
-    return toBefore ? -*toBefore : toAfter ? *toAfter : 0.0;
+    return std::fabs(here - before) < std::fabs(after - here) ? here - before : after - here;
   }
 
   bool isBefore(const Dot& p, double tested) const
   {
-    const int column = static_cast<int>(std::clamp(std::floor(p.x), 0.0, frame_.width - 1.0));
-    const int row = static_cast<int>(std::clamp(std::floor(p.y), 0.0, frame_.height - 1.0));
+    // Of the neighbours' neighbours, too, depths have to be there.
+    const double least = 2.0 - depths_.apron;
+    const double right = frame_.width + depths_.apron - 3.0;
+    const double top = frame_.height + depths_.apron - 3.0;
+    const int column = static_cast<int>(std::clamp(std::floor(p.x), least, right));
+    const int row = static_cast<int>(std::clamp(std::floor(p.y), least, top));
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        const int x = std::clamp(column + dx, 0, frame_.width - 1);
-        const int y = std::clamp(row + dy, 0, frame_.height - 1);
-        const double slopeX = slope(growth(x, y, x - 1, y), growth(x, y, x + 1, y));
-        const double slopeY = slope(growth(x, y, x, y - 1), growth(x, y, x, y + 1));
-        const double surface = static_cast<double>(old_[pixel(x, y)]) +
-                               (slopeX * (p.x - (x + 0.5)) + slopeY * (p.y - (y + 0.5)));
+        const int x = column + dx, y = row + dy;
+        const double here = depthOf(x, y);
+        const double slopeX = slope(depthOf(x - 1, y), here, depthOf(x + 1, y));
+        const double slopeY = slope(depthOf(x, y - 1), here, depthOf(x, y + 1));
+        const double surface = here + (slopeX * (p.x - (x + 0.5)) + slopeY * (p.y - (y + 0.5)));
         const double bias = kSlopePixels * (std::fabs(slopeX) + std::fabs(slopeY)) + kDepthBias;
         if (surface + bias >= tested) return true;
       }
@@ -265,20 +273,12 @@ class Lines {
 
   void look(Segment& s) const
   {
-    s.seen.resize(static_cast<std::size_t>(std::max(1.0, std::ceil(s.length * (s.to - s.from)))));
-    s.isLeft.resize(s.seen.size());
-    s.isAsked.resize(s.seen.size());
     s.mayBeGap.resize(s.seen.size());
     for (std::size_t i = 0; i < s.seen.size(); ++i) {
       const Dot p = between(s.a, s.b, s.share(i, 0.5));
       const bool isVisible = (s.flags & kConcealedLine) == 0 && isBefore(p, p.tested);
       s.seen[i] = p.depth > 1 ? Seen::kNo : isVisible ? Seen::kYes : Seen::kHidden;
-      const bool isInside =
-          p.x >= 1 && p.y >= 1 && p.x < frame_.width - 1 && p.y < frame_.height - 1;
-      const bool isOther = p.depth > 1 || (s.flags & kConcealedLine) != 0;
-      s.isLeft[i] = !isOther && !isInside;
-      s.isAsked[i] = !isOther && isInside;
-      s.mayBeGap[i] = s.isAsked[i] != 0 && s.seen[i] == Seen::kHidden &&
+      s.mayBeGap[i] = s.seen[i] == Seen::kHidden && (s.flags & kConcealedLine) == 0 &&
                       (s.flags & kOuterLine) != 0 && isBefore(p, p.lenient);
     }
   }
@@ -316,36 +316,6 @@ class Lines {
       *samples[i].seen = Seen::kYes;
   }
 
-  /// Samples without an answer of their own are seen if the next with one is, on either side.
-  static void askNeighbours(std::vector<Segment>& segments)
-  {
-    struct Sample {
-      Seen* seen;
-      bool isLeft, isAsked, startsAnew;
-    };
-    std::vector<Sample> samples;
-    for (Segment& s : segments)
-      for (std::size_t i = 0; i < s.seen.size(); ++i)
-        samples.push_back({&s.seen[i], s.isLeft[i] != 0, s.isAsked[i] != 0, i == 0 && !s.follows});
-    const int count = static_cast<int>(samples.size());
-    const auto at = [&](int i) -> const Sample& { return samples[static_cast<std::size_t>(i)]; };
-    for (int i = 0; i < count; ++i) {
-      if (!at(i).isLeft) continue;
-      int before = i, after = i;
-      while (before >= 0 && at(before).isLeft)
-        before = at(before).startsAnew ? -1 : before - 1;
-      do
-        ++after;
-      while (after < count && at(after).isLeft && !at(after).startsAnew);
-      const bool hasBefore = before >= 0 && at(before).isAsked;
-      const bool hasAfter = after < count && !at(after).startsAnew && at(after).isAsked;
-      if (!hasBefore && !hasAfter) continue;
-      const bool isSeen = (hasBefore && *at(before).seen == Seen::kYes) ||
-                          (hasAfter && *at(after).seen == Seen::kYes);
-      *at(i).seen = isSeen ? Seen::kYes : Seen::kHidden;
-    }
-  }
-
   /// Each sample becomes what most of the five about it are.
   static void smooth(std::vector<Segment>& segments)
   {
@@ -360,7 +330,7 @@ class Lines {
     const int last = static_cast<int>(old.size()) - 1;
     for (int i = 0; i <= last; ++i) {
       int visible = 0;
-      for (int k = i - 2; k <= i + 2; ++k)
+      for (int k = i - kVoters; k <= i + kVoters; ++k)
         visible += old[static_cast<std::size_t>(std::clamp(k, 0, last))] == Seen::kYes ? 1 : 0;
       Seen& seen = *samples[static_cast<std::size_t>(i)];
       if (seen != Seen::kNo) seen = visible > 2 ? Seen::kYes : Seen::kHidden;
@@ -404,7 +374,6 @@ class Lines {
     const bool isRing = isClosed && startsAtTheStart && endsAtTheEnd;
     bridge(segments, isRing && std::all_of(segments.begin() + 1, segments.end(),
                                            [](const Segment& s) { return s.follows; }));
-    askNeighbours(segments);
     smooth(segments);
     if (isRing) segments.front().follows = true;
     const bool hasRoundEnds = set.style.cap == LineCap::kRound;
@@ -709,23 +678,32 @@ class Lines {
 
   const Scene& scene_;
   const FrameView& frame_;
+  const WiderDepths& depths_;
   const std::vector<Layer>& layers_;
   const PanesOver& panes_;
   ScreenToView toView_;
   Mat4d toClip_ = Mat4d::identity();
-  std::vector<float> old_;               ///< depths of the surfaces
   std::vector<float> coverage_, depth_;  ///< of the drawing that is being made
   std::vector<Open> open_;
 };
 
 }  // namespace
 
-void drawStrokes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
-                 const PanesOver& panes)
+int strokeApron(const Scene& scene)
+{
+  double widest = 0;
+  for (const Instance& instance : scene.instances)
+    for (const LineSet& set : instance.lines)
+      widest = std::max(widest, std::ceil(reachOf(set.style)) + kStrokeApron);
+  return static_cast<int>(std::min(widest, static_cast<double>(kWidestStrokeApron)));
+}
+
+void drawStrokes(const Scene& scene, const FrameView& frame, const WiderDepths& depths,
+                 const std::vector<Layer>& layers, const PanesOver& panes)
 {
   const bool isAny = std::any_of(scene.instances.begin(), scene.instances.end(),
                                  [](const Instance& one) { return !one.lines.empty(); });
-  if (isAny) Lines(scene, frame, layers, panes).draw();
+  if (isAny) Lines(scene, frame, depths, layers, panes).draw();
 }
 
 }  // namespace limn::reference

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace limn {
 namespace {
@@ -615,6 +616,207 @@ TEST_P(Strokes, BordersAreDrawnNextToThePicturesBorderAndBeyond)
             << scale << ' ' << x << ' ' << y;
       }
   }
+}
+
+// Lines whose middle is outside, of which almost half shows: before the lower half of one lies
+// something that nobody sees; something that is seen lies beside the lower half of the other.
+TEST_P(Strokes, BesideTheFrameAreHiddenByWhatLiesThere)
+{
+  constexpr int kSide = 64;
+  const OwnedMesh outside = testing::sheet({-10, -20, -2}, {9, 0, 0}, {0, 52, 0}),
+                  inside = testing::sheet({64, -20, -2}, {-20, 0, 0}, {0, 52, 0});
+  Polylines line;
+  line.add({{-3.5, -20, -3}, {-3.5, 90, -3}});
+  line.add({{67.5, -20, -3}, {67.5, 90, -3}});
+  for (const int samples : {1, 4})
+    for (const HiddenLines hidden : {HiddenLines::kOff, HiddenLines::kThin}) {
+      LineStyle style = redLine(16);
+      style.hidden = hidden;
+      const std::vector<LineSet> sets = {line.lines(style)};
+      Stage stage = testing::pixelStage(kSide, samples);
+      stage.instances = {testing::painted(outside, {0, 0, 1}), testing::painted(inside, {0, 0, 1})};
+      stage.instances[0].lines = sets;
+      const Picture picture = drawn(stage);
+      for (int y = 0; y < kSide; ++y)
+        for (int x = 0; x < 4; ++x) {
+          const auto red = [&](int column) {
+            return picture.radiance[0][static_cast<std::size_t>(y * kSide + column)];
+          };
+          EXPECT_NEAR(red(kSide - 1 - x), 1, 1e-4) << x << ' ' << y << ' ' << samples;
+          if (y >= 30 && y < 34) continue;
+          // Thin ones reach half a pixel into the frame.
+          const float ofHidden = hidden == HiddenLines::kThin && x == 0 ? 0.5f : 0.0f;
+          EXPECT_NEAR(red(x), y > 32 ? 1.0f : ofHidden, 1e-4) << x << ' ' << y << ' ' << samples;
+        }
+    }
+}
+
+// A bar across a side of the frame hides two points of a line, which those at its two sides
+// outvote: the farther one is the last that counts for a pixel.
+TEST_P(Strokes, AreSeenInTheFirstPixelByWhatIsSeenOutside)
+{
+  constexpr int kSide = 64;
+  for (int side = 0; side < 4; ++side) {
+    // From the side inwards, and along it.
+    const auto at = [&](double in, double along, double z) {
+      const double u = side % 2 == 0 ? in : kSide - in;
+      return side < 2 ? Vec3d{u, along, z} : Vec3d{along, u, z};
+    };
+    const Vec3d corner = at(-3, 0, -2);
+    const OwnedMesh bar = testing::sheet(corner, at(1, 0, -2) - corner, at(-3, kSide, -2) - corner);
+    Polylines line;  // with points at -2.4, -1.4, -0.4 and so on, of which two are behind the bar
+    line.add({at(-20.9, 20.5, -3), at(30.1, 20.5, -3)});
+    const std::vector<LineSet> sets = {line.lines(redLine(0.5f))};
+    Stage stage = testing::pixelStage(kSide, 1);
+    stage.instances = {testing::painted(bar, {0, 0, 1})};
+    stage.instances[0].lines = sets;
+    const Vec3d pixel = at(0.5, 20.5, 0);
+    const auto index = static_cast<std::size_t>(std::floor(pixel.y) * kSide + std::floor(pixel.x));
+    EXPECT_NEAR(drawn(stage).radiance[0][index], 0.5, 1e-3) << side;
+  }
+}
+
+// What a host has drawn goes on around the frame.
+TEST_P(Strokes, BesideTheFrameAreHiddenByWhatItHeldAtItsBorder)
+{
+  constexpr int kSide = 64;
+  Polylines line;
+  line.add({{-2, -20, -3}, {-2, 90, -3}});
+  const std::vector<LineSet> sets = {line.lines(redLine(12))};
+  Stage stage = testing::pixelStage(kSide, 1);
+  stage.instances = {testing::painted(nothing(), {0, 0, 1})};
+  stage.instances[0].lines = sets;
+  for (const bool isKept : {true, false}) {
+    Picture picture(kSide, kSide);
+    for (int y = 0; y < 32; ++y)
+      picture.depth[static_cast<std::size_t>(y * kSide)] = 0.1f;
+    FrameView frame = picture.frame(Background::kBlend);
+    if (!isKept) frame.clear.extent = FrameClear::Extent::kAll;
+    ASSERT_TRUE(render(stage.scene(), frame, {GetParam(), 1}).ok());
+    for (int y = 0; y < kSide; ++y)
+      if (y < 30 || y >= 34) {
+        EXPECT_EQ(at(picture, 1, y).r, isKept && y < 32 ? 0 : 255) << y;
+      }
+  }
+}
+
+// Surfaces are drawn no farther from the frame than kWidestStrokeApron; beyond, the last of them
+// count.
+TEST_P(Strokes, WiderThanTheApronAreHiddenByWhatLiesInIt)
+{
+  constexpr int kSide = 64;
+  const OwnedMesh far = testing::sheet({-260, -200, -2}, {20, 0, 0}, {0, 500, 0}),
+                  near = testing::sheet({-140, -200, -2}, {20, 0, 0}, {0, 500, 0});
+  Polylines line;
+  line.add({{-250, -200, -3}, {-250, 300, -3}});
+  line.flags = {kOuterLine, 0};
+  LineStyle style = redLine(256);
+  style.outerFactor = 2.3f;  // as far as x = 44.4
+  const std::vector<LineSet> sets = {line.lines(style)};
+  Stage stage = testing::pixelStage(kSide, 1);
+  for (const OwnedMesh* mesh : {&far, &near}) {
+    stage.instances = {testing::painted(*mesh, {0, 0, 1})};
+    stage.instances[0].lines = sets;
+    const Picture picture = drawn(stage);
+    for (int y = 0; y < kSide; ++y) {
+      EXPECT_EQ(at(picture, 42, y).r, mesh == &far ? 255 : 0) << y;
+      EXPECT_EQ(at(picture, 46, y).r, 0) << y;
+    }
+  }
+}
+
+/// A scene in a picture of kSide x kSide pixels and in a window of that, with its lines and
+/// without.
+class CroppedScene {
+ public:
+  static constexpr int kSide = 160;
+
+  explicit CroppedScene(std::uint32_t seed) : random_(seed, testing::RandomScene::Detail::kLines)
+  {
+    testing::Random number(seed);
+    const auto below = [&](int end) {
+      return static_cast<int>(number.below(static_cast<std::uint32_t>(end)));
+    };
+    width_ = 20 + below(60);
+    height_ = 20 + below(60);
+    left_ = below(kSide - width_);
+    bottom_ = below(kSide - height_);
+    const Span<const Instance> all = random_.scene().instances;
+    lined_.assign(all.begin(), all.end());
+    lines_.reserve(all.size());
+    for (Instance& instance : lined_) {
+      lines_.emplace_back(instance.lines.begin(), instance.lines.end());
+      // Gaps that are bridged may end anywhere outside.
+      for (LineSet& set : lines_.back())
+        if (!set.slack.empty()) set.flags = {};
+      instance.lines = lines_.back();
+    }
+    bare_ = lined_;
+    for (Instance& instance : bare_)
+      instance.lines = {};
+  }
+
+  struct Count {
+    std::size_t lined = 0;   ///< pixels of the window that lines change
+    std::size_t unlike = 0;  ///< that differ from those of the picture, though surfaces do not
+  };
+  Count compare(Backend backend) const
+  {
+    const Picture window = draw(lined_, true, backend), picture = draw(lined_, false, backend);
+    const Picture bareWindow = draw(bare_, true, backend), bare = draw(bare_, false, backend);
+    Count count;
+    for (int y = 0; y < height_; ++y)
+      for (int x = 0; x < width_; ++x) {
+        const Rgba8 here = at(window, x, y), hereBare = at(bareWindow, x, y);
+        if (!areLike(here, hereBare)) ++count.lined;
+        if (areLike(hereBare, at(bare, x + left_, y + bottom_)) &&
+            !areLike(here, at(picture, x + left_, y + bottom_)))
+          ++count.unlike;
+      }
+    return count;
+  }
+
+ private:
+  Picture draw(const std::vector<Instance>& instances, bool isWindow, Backend backend) const
+  {
+    Scene scene = random_.scene();
+    scene.instances = instances;
+    Picture picture(isWindow ? width_ : kSide, isWindow ? height_ : kSide);
+    if (isWindow) {
+      const double sx = double{kSide} / width_, sy = double{kSide} / height_;
+      const Mat4d window = {{{sx, 0, 0, sx - 2.0 * left_ / width_ - 1},
+                             {0, sy, 0, sy - 2.0 * bottom_ / height_ - 1},
+                             {0, 0, 1, 0},
+                             {0, 0, 0, 1}}};
+      scene.camera.viewToClip = window * scene.camera.viewToClip;
+    }
+    const Status status = render(scene, picture.frame(Background::kBlend), {backend, 2});
+    EXPECT_TRUE(status.ok()) << status.message;
+    return picture;
+  }
+  /// But for rounding.
+  static bool areLike(Rgba8 a, Rgba8 b)
+  {
+    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) <= 2;
+  }
+
+  testing::RandomScene random_;
+  std::vector<std::vector<LineSet>> lines_;
+  std::vector<Instance> lined_, bare_;
+  int width_, height_, left_, bottom_;
+};
+
+TEST_P(Strokes, AreThoseOfALargerPictureInItsWindows)
+{
+  const std::uint32_t scenes = GetParam() == Backend::kPipeline ? 200 : 20;
+  std::size_t unlike = 0, lined = 0;
+  for (std::uint32_t seed = 0; seed < scenes; ++seed) {
+    const CroppedScene::Count count = CroppedScene(seed).compare(GetParam());
+    unlike += count.unlike;
+    lined += count.lined;
+  }
+  EXPECT_GT(lined, 300u * scenes);
+  EXPECT_LE(unlike, 4u) << "where rounding decides";
 }
 
 TEST_P(Strokes, LinesBeforeTheEyeAndOutsideThePictureAreCutOff)
