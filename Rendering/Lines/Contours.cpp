@@ -296,12 +296,22 @@ class ContourAssembler {
     linkTriangles(finder);
     linkEdges();
     lines_.slack.resize(lines_.points.size(), 0.0f);
-    chainLinks(links_, lines_.points.size(), lines_.chains, nullptr);
+    std::vector<std::uint32_t> links;
+    chainLinks(links_, lines_.points.size(), lines_.chains, &links);
+    for (const std::uint32_t link : links)
+      lines_.facets.push_back(link != kNoCorner ? facets_[link] : kNoFacet);
     lines_.chains.flags.assign(lines_.chains.vertex.size(), flag);
     return std::move(lines_);
   }
 
  private:
+  static constexpr ContourFacet kNoFacet = {kNoCorner, false};
+
+  void addLink(std::uint32_t a, std::uint32_t b, ContourFacet facet)
+  {
+    links_.push_back({a, b, static_cast<std::uint32_t>(links_.size())});
+    facets_.push_back(facet);
+  }
   void linkTriangles(const ContourFinder& finder)
   {
     std::stable_sort(passages_.begin(), passages_.end(),
@@ -309,8 +319,9 @@ class ContourAssembler {
     for (std::size_t i = 0; i + 1 < passages_.size(); ++i) {
       const Passage a = passages_[i], b = passages_[i + 1];
       if (a.triangle != b.triangle) continue;
-      links_.push_back({a.point, b.point, a.triangle});
-      if (finder.bulges(a.triangle))
+      const bool bulges = finder.bulges(a.triangle);
+      addLink(a.point, b.point, {a.triangle, bulges});
+      if (bulges)
         for (const std::uint32_t point : {a.point, b.point})
           lines_.slack[point] = static_cast<float>(kFacetSlack) * lengths_[point];
       ++i;
@@ -334,8 +345,7 @@ class ContourAssembler {
       return first + static_cast<std::uint32_t>(at - places.begin());
     };
     for (const EdgeContours::Along& along : along_)
-      links_.push_back(
-          {pointOf(along.a, along.aIsPlace), pointOf(along.b, along.bIsPlace), kNoCorner});
+      addLink(pointOf(along.a, along.aIsPlace), pointOf(along.b, along.bIsPlace), kNoFacet);
   }
 
   const MeshView& mesh_;
@@ -344,6 +354,7 @@ class ContourAssembler {
   std::vector<Passage> passages_;
   std::vector<EdgeContours::Along> along_;
   std::vector<LineLink> links_;
+  std::vector<ContourFacet> facets_;  ///< by link
 };
 
 ContourLines findContours(const ContourFinder& finder, const MeshView& mesh, const EdgeTable& table,

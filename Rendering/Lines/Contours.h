@@ -16,12 +16,19 @@ namespace limn {
 EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const FacingBounds& bounds,
                            const Camera& camera, const Mat4d& modelToWorld, int threads);
 
+/// What a segment of a smooth contour lies in.
+struct ContourFacet {
+  std::uint32_t triangle;  ///< kNoCorner along an edge
+  bool bulges;             ///< the surface's front lies before what is behind it
+};
+
 /// Lines through points of their own.
 struct ContourLines {
   std::vector<Vec3d> points;
   std::vector<float> slack;
   std::vector<float> share = {};  ///< LineSet::share
   LineChains chains;
+  std::vector<ContourFacet> facets = {};  ///< of smooth contours, by segment as chains.flags
 
   LineSet lines(const LineStyle& style) const
   {

@@ -8,6 +8,7 @@
 #include "vtkLimnProperty.h"
 
 #include "Rendering/Base/ParallelStretches.h"
+#include "Rendering/Lines/FollowFacets.h"
 #include "Rendering/Lines/Terminator.h"
 
 #include "vtkDataArray.h"
@@ -326,8 +327,8 @@ private:
   std::vector<std::function<void()>> finders_;
 };
 
-Status SurfaceLines::addContours(vtkLimnProperty* property, const LineView& view,
-  const Instance& instance, Finders& finders, FrameLines& frame)
+Status SurfaceLines::addContours(vtkLimnProperty* property, const LineStyle& style,
+  const LineView& view, const Instance& instance, Finders& finders, FrameLines& frame)
 {
   if (Status status = this->updateNormals(property->GetCreaseAngle(), instance, view.threads);
       !status.ok())
@@ -335,10 +336,14 @@ Status SurfaceLines::addContours(vtkLimnProperty* property, const LineView& view
     return status;
   }
   finders.add(frame.contours,
-    [this, &view, &instance]
+    [this, &view, &instance, &style]
     {
-      return smoothContours(this->weldedMesh(instance.mesh), table_, this->contourArrays(),
-        normalBounds_, view.camera, instance.modelToWorld, view.threads);
+      const MeshView mesh = this->weldedMesh(instance.mesh);
+      ContourLines contours = smoothContours(mesh, table_, this->contourArrays(), normalBounds_,
+        view.camera, instance.modelToWorld, view.threads);
+      followFacets(mesh, table_, this->contourArrays(), view.camera, instance.modelToWorld,
+        { view.width, view.height, style }, contours);
+      return contours;
     });
   return {};
 }
@@ -532,7 +537,8 @@ Status SurfaceLines::add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType
   }
   if (property->GetContourLines())
   {
-    if (Status status = this->addContours(property, view, instance, finders, frame); !status.ok())
+    if (Status status = this->addContours(property, style, view, instance, finders, frame);
+        !status.ok())
     {
       return status;
     }

@@ -36,7 +36,7 @@ struct LineView
   Camera camera;
   Vec3f ambientLight = { 0, 0, 0 };
   Span<const Light> lights;
-  int height = 1; ///< of the picture, in pixels
+  int width = 1, height = 1; ///< of the picture, in pixels
   double pixelsPerInch = 72;
   std::vector<LightRays> rays; ///< of the lights those that are on; headlights last
   int threads = 0;
@@ -102,8 +102,8 @@ private:
   void addFeatures(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,
     const Instance& instance, FrameLines& frame);
   class Finders;
-  Status addContours(vtkLimnProperty* property, const LineView& view, const Instance& instance,
-    Finders& finders, FrameLines& frame);
+  Status addContours(vtkLimnProperty* property, const LineStyle& style, const LineView& view,
+    const Instance& instance, Finders& finders, FrameLines& frame);
   Status addTerminators(
     vtkLimnProperty* property, const LineView& view, const Instance& instance, FrameLines& frame);
   void addCurves(vtkLimnProperty* property, vtkPolyData* data, const LineView& view,

@@ -398,6 +398,7 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   view.ambientLight = ambientLightOf(renderer_);
   int place[4];
   renderer_->GetTiledSizeAndOrigin(&place[0], &place[1], &place[2], &place[3]);
+  view.width = std::max(place[0], 1);
   view.height = std::max(place[1], 1);
   view.pixelsPerInch = renderer_->GetRenderWindow()->GetDPI();
   view.threads = EngineState::instance().options.threads;
