@@ -100,6 +100,8 @@ class ContourFinder {
     settle(pending, found);
   }
 
+  Vec3d toward(Vec3d place) const { return eye_.toward(place); }
+
   /// Whether the front lies towards the viewer, as where a surface bulges; contours of others are
   /// behind the surface itself.
   bool bulges(std::uint32_t triangle) const
@@ -301,6 +303,8 @@ class ContourAssembler {
     for (const std::uint32_t link : links)
       lines_.facets.push_back(link != kNoCorner ? facets_[link] : kNoFacet);
     lines_.chains.flags.assign(lines_.chains.vertex.size(), flag);
+    for (std::size_t c = 0; c + 1 < lines_.chains.first.size(); ++c)
+      concealBehindTurns(finder, lines_.chains.first[c], lines_.chains.first[c + 1] - 1);
     return std::move(lines_);
   }
 
@@ -346,6 +350,45 @@ class ContourAssembler {
     };
     for (const EdgeContours::Along& along : along_)
       addLink(pointOf(along.a, along.aIsPlace), pointOf(along.b, along.bIsPlace), kNoFacet);
+  }
+
+  /// Of the chain whose points are [first, last].
+  void concealBehindTurns(const ContourFinder& finder, std::size_t first, std::size_t last)
+  {
+    const std::vector<std::uint32_t>& vertex = lines_.chains.vertex;
+    const std::size_t count = last - first;
+    const bool isClosed = count > 2 && vertex[first] == vertex[last];
+    for (std::size_t i = isClosed ? 0 : 1; i < count; ++i) {
+      const std::size_t before = (i + count - 1) % count;
+      const ContourFacet a = lines_.facets[first + before], b = lines_.facets[first + i];
+      if (a.triangle == kNoCorner || b.triangle == kNoCorner || a.bulges == b.bulges) continue;
+      const Vec3d in = along(first + before), out = along(first + i);
+      const Vec3d toward = normalized(finder.toward(lines_.points[vertex[first + i]]));
+      const Vec3d farther = a.bulges ? -toward : toward;  // from the turn on, or up to there
+      const double inFarther = dot(in, farther), outFarther = dot(out, farther);
+      if (!(inFarther > 0 && outFarther > 0)) continue;
+      // On the screen, across the gaze, they run against each other.
+      if (!(dot(in, out) < inFarther * outFarther)) continue;
+      const std::size_t most = isClosed ? count : a.bulges ? count - i : i;
+      for (std::size_t k = 0; k < most; ++k) {
+        const std::size_t place = a.bulges ? i + k : before + count - k;
+        if (!conceal(first + place % count, farther)) break;
+      }
+    }
+  }
+  /// A segment, if it does not bulge and goes on farther.
+  bool conceal(std::size_t segment, Vec3d farther)
+  {
+    const ContourFacet facet = lines_.facets[segment];
+    if (facet.triangle == kNoCorner || facet.bulges) return false;
+    if (!(dot(along(segment), farther) > 0)) return false;
+    lines_.chains.flags[segment] |= kConcealedLine;
+    return true;
+  }
+  Vec3d along(std::size_t segment) const
+  {
+    const std::vector<std::uint32_t>& vertex = lines_.chains.vertex;
+    return lines_.points[vertex[segment + 1]] - lines_.points[vertex[segment]];
   }
 
   const MeshView& mesh_;

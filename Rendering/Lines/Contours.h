@@ -42,6 +42,9 @@ struct ContourLines {
 /// Q, and n the quadratic with the middle N_P + N_Q mirrored at the plane across e (Vlachos et al.
 /// 2001). Where the two sides of an edge have other normals the contour follows the edge. Closed
 /// meshes have closed chains: at n.v = 0 a vertex counts as front. All segments are kOuterLine.
+/// Where a contour runs along the gaze it turns back on the screen; the part that does not bulge
+/// goes away from there right behind the surface, which depths would not tell: it is kConcealedLine
+/// as long as it goes farther away.
 /// `bounds`: none, or those of boundNormals(), as above.
 /// Requires: vertex normals for all vertices or corners. The same on any number of threads.
 ContourLines smoothContours(const MeshView& mesh, const EdgeTable& table,

@@ -152,6 +152,43 @@ TEST(Contours, OfATorusAreTwoLoopsAtTheKnownAngles)
   }
 }
 
+// The hole's contour is, on the screen, inside of the axis' ellipse by r all along: it turns back
+// where that bends more, with a radius below r, as its least one is R cos^2(theta). The torus
+// itself lies before what goes on from there.
+TEST(Contours, ThatTurnBackAreConcealedBehindTheSurface)
+{
+  const double R = 1, r = 0.35;
+  const Polyhedron torus = testing::torus(R, r, 60, 32);
+  const std::vector<Vec3f> normals = vertexNormals(torus.view(), NormalWeight::kAngle);
+  const Model model(torus.view(), normals);
+  // Below 0 inside.
+  const auto depthUnder = [&](Vec3d p) {
+    const double out = std::hypot(p.x, p.y) - R;
+    return std::sqrt(out * out + p.z * p.z) - r;
+  };
+  for (const double theta : {0.2, 0.9, 1.0, 1.1, 1.2}) {
+    const Vec3d toward = {std::sin(theta), 0.0, std::cos(theta)};
+    const Stage stage = stageOf(testing::parallelView(toward * 5.0, {0, 0, 0}, 1.6));
+    const ContourLines contours = model.smooth(stage);
+    std::size_t runs = 0;
+    for (std::size_t i = 0; i < contours.chains.flags.size(); ++i) {
+      if ((contours.chains.flags[i] & kConcealedLine) == 0) continue;
+      runs += i == 0 || (contours.chains.flags[i - 1] & kConcealedLine) == 0 ? 1 : 0;
+      EXPECT_FALSE(contours.facets[i].bulges);
+      const Vec3d place = (contours.points[contours.chains.vertex[i]] +
+                           contours.points[contours.chains.vertex[i + 1]]) *
+                          0.5;
+      double least = 1;
+      for (double way = 0.01; way < 1; way += 0.01)
+        least = std::min(least, depthUnder(place + toward * way));
+      EXPECT_LT(least, 0) << theta;
+    }
+    const bool turnsBack = R * std::cos(theta) * std::cos(theta) < r;
+    EXPECT_EQ(runs > 1, turnsBack) << theta;
+    EXPECT_EQ(runs > 0, turnsBack) << theta;
+  }
+}
+
 TEST(Contours, OfClosedMeshesAreClosedInEveryFrameOfATurn)
 {
   const OwnedMesh sphere = testing::sphere(9, 10);
