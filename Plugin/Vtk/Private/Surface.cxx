@@ -270,6 +270,10 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
     vtkErrorWithObjectMacro(surface.mapper, << status.message);
     return false;
   }
+  if (!wantsLines(property))
+  {
+    surface.mapper->GetInternals().Lines.releaseAllBut(mesh.geometryChanges());
+  }
   complainOnce(surface.mapper);
   if (mesh.isEmpty())
   {

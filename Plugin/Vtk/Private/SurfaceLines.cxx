@@ -127,6 +127,16 @@ bool SurfaceLines::Choice::operator==(const Choice& other) const
          idsTime == other.idsTime && normals == other.normals;
 }
 
+void SurfaceLines::releaseAllBut(vtkIdType geometry)
+{
+  if (geometry_ != -1 && geometry_ != geometry)
+  {
+    const vtkIdType builds = edgeBuilds_;
+    *this = SurfaceLines();
+    edgeBuilds_ = builds;
+  }
+}
+
 Status SurfaceLines::update(vtkIdType geometry, const Instance& instance, int threads)
 {
   if (geometry == geometry_)

@@ -64,6 +64,9 @@ public:
   Status add(vtkLimnProperty* property, vtkPolyData* data, vtkIdType geometry, const LineView& view,
     Instance& instance, FrameLines& frame);
 
+  /// Frees what is kept for the mesh as it was before.
+  void releaseAllBut(vtkIdType geometry);
+
   vtkIdType edgeBuilds() const { return edgeBuilds_; }
 
 private:
