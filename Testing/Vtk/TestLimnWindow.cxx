@@ -348,6 +348,18 @@ void checkDesiredUpdateRate()
   CHECK(render(stage.Window) == coarse);
   stage.Window->SetDesiredUpdateRate(0.0001);
   CHECK(render(stage.Window) == still);
+
+  // Time for 80,000 triangles, unless all of them show.
+  sphere->SetThetaResolution(200);
+  sphere->SetPhiResolution(200);
+  for (const double opacity : { 1.0, 0.5 })
+  {
+    stage.Actor->GetProperty()->SetOpacity(opacity);
+    const Picture fine = render(stage.Window);
+    stage.Window->SetDesiredUpdateRate(200);
+    CHECK_EQUAL(render(stage.Window) == fine, opacity == 1);
+    stage.Window->SetDesiredUpdateRate(0.0001);
+  }
 }
 
 // Red and blue eyes are composed by VTK from pictures that it reads back.

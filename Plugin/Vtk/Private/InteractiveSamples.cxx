@@ -31,7 +31,11 @@ int interactiveSamples(const Scene& scene, vtkRenderer* renderer, int wanted)
   for (const Instance& instance : scene.instances)
   {
     // A hull is some triangles along the outline of a mesh that is counted itself.
-    triangles += instance.hull ? 0 : static_cast<double>(instance.clusters->triangleCount);
+    const auto count = instance.hull ? 0 : static_cast<double>(instance.clusters->triangleCount);
+    const bool isTranslucent = instance.material.opacity < 1 || instance.style.readsAlpha;
+    // None of them hides another, and all are shaded.
+    constexpr double kTranslucent = 10;
+    triangles += isTranslucent ? kTranslucent * count : count;
   }
   int size[2];
   renderer->GetTiledSize(&size[0], &size[1]);
