@@ -17,6 +17,9 @@
  * What Limn does not draw yet (wireframe, points, lines, ...) is drawn by the window's own backend
  * in an OpenGL window. In a vtkLimnRenderWindow a warning says once what is missing.
  *
+ * Arrays whose values are written in place have to be Modified() themselves, as for VTK's mapper;
+ * of points it is enough that their data set is.
+ *
  * @sa
  * vtkLimnActor vtkLimnProperty vtkLimnRenderWindow vtkLimnEngine vtkLimnVertexShader
  */

@@ -32,7 +32,10 @@ namespace
 double LegendSafeRangeOf(vtkProperty* property, vtkScalarsToColors* table)
 {
   vtkLimnProperty* const limn = vtkLimnProperty::SafeDownCast(property);
-  return limn ? limn::bridge::legendSafeBound(table, limn->GetLegendSafeRange()) : 0;
+  const bool isSafe = limn && limn->GetToneOverData() == vtkLimnProperty::DATA_TONE_LEGEND_SAFE;
+  return isSafe
+           ? limn::bridge::legendSafeBound(table, static_cast<float>(limn->GetLegendSafeRange()))
+           : 0;
 }
 }
 

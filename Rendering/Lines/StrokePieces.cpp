@@ -210,7 +210,10 @@ class ChainCutter {
     const int column = inside(x, frame_.width), row = inside(y, frame_.height);
     float copy[kWindow * kWindow];
     const auto [here, stride] = depthsAt(column, row, copy);
-    if (isDeepBehind(here, stride, tested)) return false;
+    // Beyond the apron depths are carried farther than that reckons with.
+    const bool isInPixel =
+        std::fabs(x - (column + 0.5)) <= 0.5 && std::fabs(y - (row + 0.5)) <= 0.5;
+    if (isInPixel && isDeepBehind(here, stride, tested)) return false;
     // The pixel itself first: it mostly settles it.
     constexpr int kOrder[9][2] = {{0, 0},   {-1, 0}, {1, 0},  {0, -1}, {0, 1},
                                   {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};

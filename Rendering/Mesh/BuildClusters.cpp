@@ -331,10 +331,14 @@ bool areInPlace(const MeshView& mesh, int threads, const ClusteredMesh& clusters
   std::atomic<bool> haveMoved = false;
   parallelFor(threads, (clusters.vertexCount + kChunk - 1) / kChunk, [&](std::size_t chunk) {
     const std::size_t end = std::min(clusters.vertexCount, (chunk + 1) * kChunk);
-    for (std::size_t i = chunk * kChunk; i < end && !haveMoved; ++i) {
+    if (haveMoved) return;
+    for (std::size_t i = chunk * kChunk; i < end; ++i) {
       const Vec3f& p = mesh.positions[clusters.vertex[i]];
       const Vec3f was = {clusters.x[i], clusters.y[i], clusters.z[i]};
-      if (std::memcmp(&p, &was, sizeof p) != 0) haveMoved = true;
+      if (std::memcmp(&p, &was, sizeof p) != 0) {
+        haveMoved = true;
+        return;
+      }
     }
   });
   return !haveMoved;

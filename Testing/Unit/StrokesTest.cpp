@@ -725,6 +725,29 @@ TEST_P(Strokes, WiderThanTheApronAreHiddenByWhatLiesInIt)
   }
 }
 
+// A line on a slope whose depths are carried to it from the apron's end.
+TEST_P(Strokes, WiderThanTheApronAreSeenOnTheSlopeTheyLieOn)
+{
+  constexpr int kSide = 64;
+  const auto onSlope = [](double x, double y) { return Vec3d{x, y, -2 + 0.002 * x}; };
+  const Vec3d corner = onSlope(-450, -200);
+  const OwnedMesh slope = testing::sheet(corner, onSlope(200, -200) - corner, {0, 500, 0});
+  Polylines line;
+  line.add({onSlope(-300, -200), onSlope(-300, 300)});
+  line.flags = {kOuterLine, 0};
+  LineStyle style = redLine(256);
+  style.outerFactor = 2.7f;  // as far as x = 45.6
+  const std::vector<LineSet> sets = {line.lines(style)};
+  Stage stage = testing::pixelStage(kSide, 1);
+  stage.instances = {testing::painted(slope, {0, 0, 1})};
+  stage.instances[0].lines = sets;
+  const Picture picture = drawn(stage);
+  for (int y = 0; y < kSide; ++y) {
+    EXPECT_EQ(at(picture, 20, y).r, 255) << y;
+    EXPECT_EQ(at(picture, 48, y).r, 0) << y;
+  }
+}
+
 /// A scene in a picture of kSide x kSide pixels and in a window of that, with its lines and
 /// without.
 class CroppedScene {

@@ -4,14 +4,14 @@
 
 #include "ToneLegendPicture.h"
 
+#include "Rendering/Reference/ReferenceDataTone.h"
+
 #include "vtkLimnProperty.h"
 
 #include "vtkLookupTable.h"
-#include "vtkMath.h"
 #include "vtkNew.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <deque>
@@ -41,24 +41,22 @@ Rgba8 colorOf(vtkScalarsToColors* table, int number, int count)
   return { color[0], color[1], color[2], 255 };
 }
 
-using Lab = std::array<double, 3>;
-
-Lab labOf(Rgba8 color)
+/// Our own, as what is found with it decides how surfaces look, which is the same on each machine.
+Vec3d labOf(Rgba8 color)
 {
-  const double rgb[3] = { color.r / 255.0, color.g / 255.0, color.b / 255.0 };
-  Lab lab;
-  vtkMath::RGBToLab(rgb, lab.data());
-  return lab;
+  return vec3Cast<double>(
+    reference::labOf({ color.r / 255.0f, color.g / 255.0f, color.b / 255.0f }));
 }
 
 /// Of the nearest, from 0 to 1.
-double valueOf(const std::vector<Lab>& legend, const Lab& color)
+double valueOf(const std::vector<Vec3d>& legend, const Vec3d& color)
 {
   std::size_t nearest = 0;
-  double least = VTK_DOUBLE_MAX;
+  double least = HUGE_VAL;
   for (std::size_t i = 0; i < legend.size(); ++i)
   {
-    const double distance = vtkMath::Distance2BetweenPoints(legend[i].data(), color.data());
+    const Vec3d apart = legend[i] - color;
+    const double distance = dot(apart, apart);
     if (distance < least)
     {
       least = distance;
@@ -126,7 +124,7 @@ Status readBackError(
   {
     return status;
   }
-  std::vector<Lab> labs;
+  std::vector<Vec3d> labs;
   for (const Rgba8& color : legend)
   {
     labs.push_back(labOf(color));
