@@ -189,12 +189,14 @@ class Follower {
     const ScreenPoint a = onScreen(smooth_.points[pointOf(segment)]);
     const ScreenPoint b = onScreen(smooth_.points[pointOf(segment + 1)]);
     const double dx = b.x - a.x, dy = b.y - a.y;
-    const double count = std::min(std::ceil(std::sqrt(dx * dx + dy * dy) / kStep), kMostSteps);
+    const double length = std::min(std::ceil(std::sqrt(dx * dx + dy * dy) / kStep), kMostSteps);
+    const int count = length >= 1 ? static_cast<int>(length) : 0;
     steps_.clear();
     Step before = stepAtPoint(segment);
     bool isMoved = before.isMoved();
-    for (double k = 1; k <= count; ++k) {
-      const Step step = k < count ? stepAt(k / count, segment) : stepAtEnd(segment);
+    for (int k = 1; k <= count; ++k) {
+      const Step step =
+          k < count ? stepAt(static_cast<double>(k) / count, segment) : stepAtEnd(segment);
       addCorners(before, step, segment, kHalvings);
       if (k < count) steps_.push_back(step);
       isMoved = isMoved || step.isMoved();

@@ -324,6 +324,17 @@ bool refitClusters(const MeshView& mesh, int threads, ClusteredMesh& clusters)
   return allFinite && uniteBoxes(clusters) <= kApart * clusters.builtExtent;
 }
 
+namespace {
+
+std::uint32_t bitsOf(float value)
+{
+  std::uint32_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  return bits;
+}
+
+}  // namespace
+
 bool areInPlace(const MeshView& mesh, int threads, const ClusteredMesh& clusters)
 {
   if (clusters.notFiniteTriangles > 0 || !isFloatAtZero(mesh, clusters.origin)) return false;
@@ -334,8 +345,8 @@ bool areInPlace(const MeshView& mesh, int threads, const ClusteredMesh& clusters
     if (haveMoved) return;
     for (std::size_t i = chunk * kChunk; i < end; ++i) {
       const Vec3f& p = mesh.positions[clusters.vertex[i]];
-      const Vec3f was = {clusters.x[i], clusters.y[i], clusters.z[i]};
-      if (std::memcmp(&p, &was, sizeof p) != 0) {
+      if (bitsOf(p.x) != bitsOf(clusters.x[i]) || bitsOf(p.y) != bitsOf(clusters.y[i]) ||
+          bitsOf(p.z) != bitsOf(clusters.z[i])) {
         haveMoved = true;
         return;
       }

@@ -331,7 +331,7 @@ class Outlines {
         const Pixel q = {p.x + n * dx, p.y + n * dy};
         if (!isInside(q) || layer(q).instance != layer(p).instance) continue;
         const bool isSharp = 1.0f - dot(layer(p).normal, layer(q).normal) > 0.134f;
-        if (!isSharp) return (squared(q) - here) * static_cast<float>(4 / n);
+        if (!isSharp) return (squared(q) - here) * (4.0f / static_cast<float>(n));
       }
       return 0.0f;
     };

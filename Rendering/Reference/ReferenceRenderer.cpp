@@ -284,7 +284,7 @@ std::uint8_t meanByte(const std::uint8_t* bytes, int count, Resolve resolve)
   std::uint32_t sum = 0;
   for (int i = 0; i < count; ++i)
     sum += resolve == Resolve::kGamma22 ? ResolveTable::gamma22().linear(bytes[i]) : bytes[i];
-  const auto n = static_cast<std::uint32_t>(count);
+  const auto n = static_cast<std::uint32_t>(std::max(count, 1));
   return resolve == Resolve::kGamma22 ? ResolveTable::gamma22().byteOfMean(sum, n)
                                       : static_cast<std::uint8_t>((sum + n / 2) / n);
 }
