@@ -4,6 +4,7 @@
 
 #include "Rendering/Lines/Contours.h"
 #include "Rendering/Mesh/WeldVertices.h"
+#include "Testing/Unit/EdgedMesh.h"
 #include "Testing/Unit/Polyhedra.h"
 #include "Testing/Unit/TestScene.h"
 
@@ -20,17 +21,9 @@ using testing::Stage;
 
 constexpr double kPi = 3.14159265358979323846;
 
-/// A mesh with its edges and normals.
-struct Model {
-  MeshView mesh;
-  EdgeTable table;
-  FeatureArrays arrays;
+struct Model : testing::EdgedMesh {
+  using EdgedMesh::EdgedMesh;
 
-  Model(const MeshView& view, Span<const Vec3f> normals) : mesh(view)
-  {
-    EXPECT_TRUE(buildEdgeTable(mesh, 0, 2, table).ok());
-    arrays.vertexNormals = normals;
-  }
   ContourLines smooth(const Stage& stage, const Mat4d& place = Mat4d::identity()) const
   {
     return smoothContours(mesh, table, arrays, {}, stage.camera(), place, 2);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/FollowFacets.h"
+#include "Testing/Unit/EdgedMesh.h"
 #include "Testing/Unit/Polyhedra.h"
 #include "Testing/Unit/TestScene.h"
 
@@ -20,16 +21,9 @@ constexpr double kPi = 3.14159265358979323846;
 /// Strokes of the style's default width leave so much that does not show.
 constexpr double kShowsNot = 0.25;
 
-struct Model {
-  MeshView mesh;
-  EdgeTable table;
-  FeatureArrays arrays;
+struct Model : testing::EdgedMesh {
+  using EdgedMesh::EdgedMesh;
 
-  Model(const MeshView& view, Span<const Vec3f> normals) : mesh(view)
-  {
-    EXPECT_TRUE(buildEdgeTable(mesh, 0, 2, table).ok());
-    arrays.vertexNormals = normals;
-  }
   ContourLines smooth(const Stage& stage) const
   {
     return smoothContours(mesh, table, arrays, {}, stage.camera(), Mat4d::identity(), 2);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/Terminator.h"
+#include "Testing/Unit/EdgedMesh.h"
 #include "Testing/Unit/Polyhedra.h"
 #include "Testing/Unit/TestScene.h"
 
@@ -29,16 +30,9 @@ LightRays pointLight(Vec3d position)
   return lightRays(light, kAnyCamera);
 }
 
-struct Model {
-  MeshView mesh;
-  EdgeTable table;
-  FeatureArrays arrays;
+struct Model : testing::EdgedMesh {
+  using EdgedMesh::EdgedMesh;
 
-  Model(const MeshView& view, Span<const Vec3f> normals) : mesh(view)
-  {
-    EXPECT_TRUE(buildEdgeTable(mesh, 0, 2, table).ok());
-    arrays.vertexNormals = normals;
-  }
   ContourLines terminator(const LightRays& light, const Mat4d& place = Mat4d::identity()) const
   {
     return terminatorLines(mesh, table, arrays, {}, light, place, 2);
