@@ -186,7 +186,7 @@ void expectChanges(RandomScene::Detail detail, std::uint32_t scenes, std::uint32
 
 TEST_P(EveryTarget, TonesLikeTheReference)
 {
-  expectChanges(RandomScene::Detail::kTones, 400, stride(), least(500000u));
+  expectChanges(RandomScene::Detail::kTones, 250, stride(), least(300000u));
 }
 
 TEST_P(EveryTarget, HatchesLikeTheReference)
@@ -196,7 +196,7 @@ TEST_P(EveryTarget, HatchesLikeTheReference)
 
 TEST_P(EveryTarget, ExaggeratesLikeTheReference)
 {
-  expectChanges(RandomScene::Detail::kExaggerated, 300, stride(), least(500000u));
+  expectChanges(RandomScene::Detail::kExaggerated, 150, stride(), least(250000u));
 }
 
 TEST_P(EveryTarget, ExaggeratesAtCreasesLikeTheReference)
@@ -246,7 +246,7 @@ TEST_P(EveryTarget, LaysTranslucentSurfacesLikeTheReference)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};
   std::size_t changedPixels = 0;
-  for (std::uint32_t seed = 0; seed < 300; seed += stride()) {
+  for (std::uint32_t seed = 0; seed < 160; seed += stride()) {
     const RandomScene random(seed, seed % 8 == 1 ? RandomScene::Detail::kFineTranslucent
                                                  : RandomScene::Detail::kTranslucent);
     Picture expected = random.canvas(), actual = random.canvas(), opaque = random.canvas();
@@ -266,7 +266,7 @@ TEST_P(EveryTarget, LaysTranslucentSurfacesLikeTheReference)
     for (std::size_t i = 0; i < actual.color.size(); ++i)
       changedPixels += actual.color[i].g != opaque.color[i].g && actual.instance[i] == kNobody;
   }
-  EXPECT_GE(changedPixels, least(300000u)) << "translucent surfaces must show";
+  EXPECT_GE(changedPixels, least(160000u)) << "translucent surfaces must show";
 }
 
 TEST_P(EveryTarget, PlacesHullsLikeTheReference)
@@ -341,7 +341,7 @@ TEST_P(EveryTarget, DrawsLinesBelowTranslucentSurfacesLikeTheReference)
 {
   constexpr int kThreads[] = {1, 2, 3, 8};
   std::size_t changedPixels = 0;
-  for (std::uint32_t seed = 0; seed < 200; seed += stride()) {
+  for (std::uint32_t seed = 0; seed < 100; seed += stride()) {
     const RandomScene random(seed, RandomScene::Detail::kVeils);
     Picture expected = random.canvas(), actual = random.canvas(), bare = random.canvas();
     if (seed % 4 == 1)
