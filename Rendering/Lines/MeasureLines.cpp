@@ -6,18 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 
 namespace limn {
 namespace {
 
-// A straight border is found in several pixels, each of which knows it to a part of a pixel: their
-// mean is taken, of those that lie along it by less than kSpan, point the same way and are no other
-// border's.
-constexpr float kSpan = 3.0f;
-constexpr float kSameWay = 0.7f;
-constexpr float kSameBorder = 1.0f;
-/// At a corner no edge lies beside the pixel, and its distance is that to a point.
-constexpr float kBeside = 1.5f;
+constexpr float kSpan = BorderRule::kSpan, kSameWay = BorderRule::kSameWay;
+constexpr float kSameBorder = BorderRule::kSameBorder, kBeside = BorderRule::kBeside;
 /// A border goes on beyond one of its pixels if another's foot lies farther along it by more.
 constexpr float kFurther = 0.5f;
 /// How far outside of an edge a pixel's centre may lie that still shows the surface: of one that
@@ -55,9 +51,12 @@ LineMeasure::LineMeasure(const OutlinePass& pass, const FoundLines& lines, int y
       finder_(lines.finder),
       steps_(lines.steps),
       y_(y),
-      reach_(reach)
+      reach_(reach),
+      batchEnd_(std::numeric_limits<int>::min())
 {
   const int end = std::min(y + reach + 1, lines.edges.end());
+  edgeRows_.reserve(static_cast<std::size_t>(2 * reach + 1));
+  batch_.y = y;
   for (int row = std::max(y - reach, lines.edges.first()); row < end; ++row) {
     const std::vector<EdgePoint>& points = lines.edges[row].points;
     const std::vector<CreaseSegment>& segments = lines.creases[row].segments;
@@ -292,12 +291,91 @@ LineMeasure::Pixel LineMeasure::pixelAt(int x, std::uint32_t instance) const
   return pixel;
 }
 
-float LineMeasure::linesShare(const Pixel& pixel)
+float LineMeasure::linesShare(const Pixel& pixel, float border) const
 {
-  const float border = borderShare(pixel);
   if (creaseRows_.empty()) return border;
   const float crease = creaseShare(pixel) * pixel.own;
   return crease > border ? crease : border;
+}
+
+void LineMeasure::addToBatch(int lane, std::size_t index)
+{
+  const std::uint32_t instance = layers_.instance[index];
+  if (lane > 0 && layers_.isSingle && instance == layers_.instance[index - 1]) {
+    for (std::int32_t* numbers : {batch_.reach, batch_.instance})
+      numbers[lane] = numbers[lane - 1];
+    for (float* values : {batch_.outside, batch_.width, batch_.own})
+      values[lane] = values[lane - 1];
+    return;
+  }
+  batch_.reach[lane] = -1;
+  batch_.instance[lane] = static_cast<std::int32_t>(instance);
+  batch_.outside[lane] = batch_.width[lane] = batch_.own[lane] = 0.0f;
+  if (instance == kNobody || !hasImageOutline(scene_.instances[instance])) return;
+  const Pixel pixel = pixelAt(batch_.x + lane, instance);
+  batch_.reach[lane] = pixel.reach;
+  batch_.own[lane] =
+      static_cast<float>(layers_.countAt(index)) / static_cast<float>(scene_.samples);
+  batch_.outside[lane] =
+      batch_.own[lane] < 1.0f || !pixel.isByPlanes() ? kOutside : kOutsideOfWhole;
+  batch_.width[lane] = pixel.style->outlineWidth;
+}
+
+/// Those near any of the batch's pixels.
+void LineMeasure::gatherEdges()
+{
+  const int last = batchEnd_ - 1 + reach_;
+  batch_.edges.clear();
+  for (const NearRow<EdgePoint>& row : edgeRows_)
+    for (const EdgePoint* edge = row.at; edge != row.end && edge->column <= last; ++edge)
+      batch_.edges.push_back({edge, std::abs(row.y - y_)});
+}
+
+/// Whether a pixel's nearest edge lies beside it, with nothing between that parts them.
+bool LineMeasure::isBeside(int lane) const
+{
+  if (batch_.haveParts[lane] != 0) return false;
+  const EdgePoint& edge = *batch_.edges[static_cast<std::size_t>(batch_.nearest[lane])].edge;
+  if (edge.normal == Vec2f{0.0f, 0.0f}) return false;
+  const int x = batch_.x + lane;
+  const Vec2f centre = {static_cast<float>(x) + 0.5f, static_cast<float>(y_) + 0.5f};
+  const Vec2f way = edge.foot - centre;
+  if (std::fabs(edge.normal.x * way.y - edge.normal.y * way.x) > kBeside) return false;
+  return steps_.areJoined({x, y_}, edge.shown);
+}
+
+void LineMeasure::measureBatch(int x)
+{
+  moveTo(x);
+  batch_.x = x;
+  batchEnd_ = std::min(x + BorderBatch::kPixels, layers_.width);
+  const std::size_t index = layers_.indexOf(x, y_);
+  for (int lane = 0; lane < BorderBatch::kPixels; ++lane)
+    if (lane < batchEnd_ - x)
+      addToBatch(lane, index + static_cast<std::size_t>(lane));
+    else
+      batch_.reach[lane] = -1;
+  gatherEdges();
+  findNearestEdges(batch_);
+  bool isAny = false;
+  for (int lane = 0; lane < BorderBatch::kPixels; ++lane) {
+    const bool isAlone = batch_.nearest[lane] == BorderBatch::kNoEdge;
+    isMeasured_[lane] = isAlone || isBeside(lane);
+    Vec2f normal = {0.0f, 0.0f}, foot = {0.0f, 0.0f};
+    if (isMeasured_[lane] && !isAlone) {
+      const EdgePoint& edge = *batch_.edges[static_cast<std::size_t>(batch_.nearest[lane])].edge;
+      normal = edge.normal;
+      foot = edge.foot;
+      isAny = true;
+    }
+    batch_.normalX[lane] = normal.x;
+    batch_.normalY[lane] = normal.y;
+    batch_.footX[lane] = foot.x;
+    batch_.footY[lane] = foot.y;
+  }
+  if (isAny) coverBorders(batch_);
+  for (int lane = 0; lane < BorderBatch::kPixels; ++lane)
+    if (batch_.nearest[lane] == BorderBatch::kNoEdge) batch_.share[lane] = 0.0f;
 }
 
 float LineMeasure::withoutHalo(float share, PixelPlace place) const
@@ -311,10 +389,14 @@ float LineMeasure::shareAt(int x)
   const std::size_t index = layers_.indexOf(x, y_);
   const std::uint32_t instance = layers_.instance[index];
   if (instance == kNobody || !hasImageOutline(scene_.instances[instance])) return 0.0f;
+  if (x >= batchEnd_) measureBatch(x);
+  const auto lane = static_cast<std::size_t>(x - batch_.x);
+  if (isMeasured_[lane] && creaseRows_.empty()) return withoutHalo(batch_.share[lane], {x, y_});
   moveTo(x);
   Pixel pixel = pixelAt(x, instance);
-  pixel.own = static_cast<float>(layers_.countAt(index)) / static_cast<float>(scene_.samples);
-  return withoutHalo(linesShare(pixel), pixel.shown);
+  pixel.own = batch_.own[lane];
+  const float border = isMeasured_[lane] ? batch_.share[lane] : borderShare(pixel);
+  return withoutHalo(linesShare(pixel, border), pixel.shown);
 }
 
 /// Where a pixel around shows what this pixel's other samples do: the farthest of those that lie
@@ -357,9 +439,10 @@ float LineMeasure::shareBehindAt(int x)
   Pixel pixel = pixelAt(x, layers_.other[index]);
   pixel.shown = behind->place;
   const float part = static_cast<float>(others) / static_cast<float>(scene_.samples);
-  if (!behind->endsHere) return withoutHalo(linesShare(pixel) * part, pixel.shown);
+  if (!behind->endsHere)
+    return withoutHalo(linesShare(pixel, borderShare(pixel)) * part, pixel.shown);
   pixel.own = part;
-  return withoutHalo(linesShare(pixel), pixel.shown);
+  return withoutHalo(linesShare(pixel, borderShare(pixel)), pixel.shown);
 }
 
 }  // namespace limn

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Rendering/Lines/BorderBatch.h"
 #include "Rendering/Lines/FindEdges.h"
 
 #include <cstdint>
@@ -70,7 +71,7 @@ class LineMeasure {
   void moveTo(int x);
   Pixel pixelAt(int x, std::uint32_t instance) const;
   std::optional<Behind> placeBehind(int x) const;
-  float linesShare(const Pixel& pixel);
+  float linesShare(const Pixel& pixel, float border) const;
   float withoutHalo(float share, PixelPlace place) const;
   /// The edges that may bound the pixel's surface, row by row, by columns.
   void findEdges(const Pixel& pixel);
@@ -82,6 +83,11 @@ class LineMeasure {
   std::optional<NearCrease> nearestCrease(const Pixel& pixel, bool isJoined) const;
   bool areJoined(const Pixel& pixel, const CreaseSegment& segment) const;
   float borderShare(const Pixel& pixel);
+  /// Measures the borders of pixels from x on, as far as that can be done of several at once.
+  void measureBatch(int x);
+  void addToBatch(int lane, std::size_t index);
+  void gatherEdges();
+  bool isBeside(int lane) const;
   float outsideOf(const Pixel& pixel, const NearEdge& edge) const;
   float creaseShare(const Pixel& pixel) const;
 
@@ -95,6 +101,9 @@ class LineMeasure {
   std::vector<NearEdge> near_;
   std::size_t nearest_ = 0;  ///< of near_, the first whose line is nearest
   bool haveParts_ = false;   ///< some of near_ are of lines that have another surface's part, too
+  BorderBatch batch_ = {};
+  int batchEnd_;                           ///< the pixel after its last
+  bool isMeasured_[BorderBatch::kPixels];  ///< share is borderShare()
 };
 
 }  // namespace limn
