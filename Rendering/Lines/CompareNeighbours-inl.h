@@ -42,14 +42,13 @@ HWY_INLINE M areSame(VI a, VI b)
 /// One vector of pixels beside each other.
 struct LayerLanes {
   VI instance;
-  Lanes3 place, plane, normal;
+  Lanes3 place, plane;
   V tolerance;  ///< stepTolerance()
 
   LayerLanes(const RowJob& job, std::size_t index, int x, int y)
       : instance(instancesAt(job.layers, index)),
         place{hn::Zero(D()), hn::Zero(D()), hn::Zero(D())},
         plane(load(job.layers.plane, index)),
-        normal(load(job.layers.normal, index)),
         tolerance(hn::Zero(D()))
   {
     putInView(job, index, x, y);
@@ -107,59 +106,56 @@ HWY_INLINE VI bitIf(M mask, std::int32_t bit)
   return hn::IfThenElseZero(hn::RebindMask(DI(), mask), hn::Set(DI(), bit));
 }
 
-/// What a pixel has to do with the next, as bits: that to the right, then that above.
-HWY_INLINE VI pairBits(const LayerLanes& here, const LayerLanes& next, V crease, std::int32_t step,
-                       std::int32_t creased)
-{
-  const M same = areSame(here.instance, next.instance);
-  const M bent = hn::Gt(hn::Sub(set(1.0f), dot(here.normal, next.normal)), crease);
-  return hn::Or(bitIf(hn::Or(hn::Not(same), areStep(here, next)), step),
-                bitIf(hn::And(same, bent), creased));
-}
+/// What most pixels are compared by. All of it is local to the kernel: what the marks are written
+/// to, bytes, might be anything that is not.
+struct GentleTest {
+  const float *depth, *x, *y, *z;  ///< of the layers: depths, normals
+  V perDepth, growth, start, gentle, sharpest;
+
+  explicit GentleTest(const RowJob& job)
+      : depth(job.layers.depth.data()),
+        x(job.layers.normal.x.data()),
+        y(job.layers.normal.y.data()),
+        z(job.layers.normal.z.data()),
+        perDepth(set(job.test.perDepth)),
+        growth(set(job.layers.toView->matrix().m[3][2])),
+        start(set(job.layers.toView->matrix().m[3][3])),
+        gentle(set(job.test.gentle)),
+        sharpest(set(job.test.sharpest))
+  {
+  }
+};
 
 /// Depths of pixels and the size of ScreenToView's w there.
 struct DepthLanes {
   V depth, w;
 
-  DepthLanes(const SurfaceLayers& layers, std::size_t index)
-      : depth(hn::LoadU(D(), layers.depth.data() + index)), w(hn::Zero(D()))
+  DepthLanes(const GentleTest& test, std::size_t index)
+      : depth(hn::LoadU(D(), test.depth + index)),
+        w(absolute(hn::Add(hn::Mul(test.growth, depth), test.start)))
   {
-    const Mat4f& m = layers.toView->matrix();
-    w = absolute(hn::Add(hn::Mul(set(m.m[3][2]), depth), set(m.m[3][3])));
   }
 };
 
-HWY_INLINE M areGentle(const PairTest& test, const DepthLanes& p, const DepthLanes& q)
+HWY_INLINE M areGentle(const GentleTest& test, const DepthLanes& p, const DepthLanes& q)
 {
   const V w = hn::IfThenElse(hn::Lt(p.w, q.w), p.w, q.w);
-  return hn::Le(hn::Mul(absolute(hn::Sub(p.depth, q.depth)), set(test.perDepth)),
-                hn::Mul(w, set(test.gentle)));
+  return hn::Le(hn::Mul(absolute(hn::Sub(p.depth, q.depth)), test.perDepth),
+                hn::Mul(w, test.gentle));
 }
 
-/// In the midst of a surface: kMayCreaseRight and kMayCreaseAbove, by the smallest bound.
-HWY_INLINE VI creaseBits(const RowJob& job, std::size_t index, std::size_t over)
+/// kMayCreaseRight and kMayCreaseAbove, by the smallest bound; any where another instance is.
+HWY_INLINE VI creaseBits(const GentleTest& test, std::size_t index, std::size_t over)
 {
-  const Lanes3 own = load(job.layers.normal, index);
+  const auto normalAt = [&](std::size_t i) HWY_ATTR {
+    return Lanes3{hn::LoadU(D(), test.x + i), hn::LoadU(D(), test.y + i),
+                  hn::LoadU(D(), test.z + i)};
+  };
+  const Lanes3 own = normalAt(index);
   const auto isBent = [&](std::size_t other) HWY_ATTR {
-    return hn::Gt(hn::Sub(set(1.0f), dot(own, load(job.layers.normal, other))),
-                  set(job.test.sharpest));
+    return hn::Gt(hn::Sub(set(1.0f), dot(own, normalAt(other))), test.sharpest);
   };
   return hn::Or(bitIf(isBent(index + 1), kMayCreaseRight), bitIf(isBent(over), kMayCreaseAbove));
-}
-
-/// Anywhere. `x` is the first pixel's column.
-HWY_INLINE VI anyBits(const RowJob& job, std::size_t index, int x, VI instance)
-{
-  const bool isTop = job.y + 1 >= job.layers.endY();
-  const std::size_t over = isTop ? index : index + job.layers.stride();
-  const LayerLanes own(job, index, x, job.y);
-  const VI safe =
-      hn::IfThenZeroElse(hn::RebindMask(DI(), isNobody(instance, job.bounds)), instance);
-  const V crease = hn::GatherIndex(D(), job.bounds.crease.data(), safe);
-  return hn::Or(
-      pairBits(own, LayerLanes(job, index + 1, x + 1, job.y), crease, kStepRight, kMayCreaseRight),
-      pairBits(own, LayerLanes(job, over, x, isTop ? job.y : job.y + 1), crease, kStepAbove,
-               kMayCreaseAbove));
 }
 
 /// What the instances ask, by pixels; 0 of nobody's.
@@ -176,29 +172,48 @@ void comparePairsKernel(const RowJob& job, std::uint8_t* pairs, std::uint8_t* as
   const auto width = job.layers.stride();
   const bool isTop = job.y + 1 >= job.layers.endY();
   const VI onTop = hn::Set(DI(), isTop ? kStepAbove : 0);
-  for (std::size_t i = 0; i < job.count; i += hn::Lanes(D())) {
-    const std::size_t index = job.first + i, over = isTop ? index : index + width;
-    const VI instance = instancesAt(job.layers, index);
-    const M nobody = isNobody(instance, job.bounds);
-    const M sameRight = areSame(instance, instancesAt(job.layers, index + 1));
-    const M sameAbove = areSame(instance, instancesAt(job.layers, over));
+  const GentleTest test(job);
+  const auto* const instances = reinterpret_cast<const std::int32_t*>(job.layers.instance.data());
+  const VI last = hn::Set(DI(), static_cast<std::int32_t>(job.bounds.asks.size()) - 1);
+  const std::size_t first = job.first, count = job.count;
+  const bool isSingle = job.samples == 1;
+  for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
+    const std::size_t index = first + i, over = isTop ? index : index + width;
+    const VI instance = hn::LoadU(DI(), instances + index);
+    const M nobody =
+        hn::RebindMask(D(), hn::Or(hn::Lt(instance, hn::Zero(DI())), hn::Gt(instance, last)));
+    const M sameRight = areSame(instance, hn::LoadU(DI(), instances + index + 1));
+    const M sameAbove = areSame(instance, hn::LoadU(DI(), instances + over));
     VI bits, asked = hn::Zero(DI());
     if (hn::AllTrue(D(), nobody)) {
       bits = hn::Or(bitIf(hn::Not(sameRight), kStepRight), bitIf(hn::Not(sameAbove), kStepAbove));
     } else {
       asked = askedBits(job, instance, nobody);
       M looked = hn::RebindMask(D(), hn::Gt(asked, hn::Set(DI(), NeighbourBounds::kAlways - 1)));
-      if (job.samples > 1) {
-        const VI count = hn::PromoteTo(DI(), hn::LoadU(DBytes(), job.layers.count.data() + index));
-        looked = hn::Or(looked, hn::RebindMask(D(), hn::Lt(count, hn::Set(DI(), job.samples))));
+      if (!isSingle) {
+        const VI shown = hn::PromoteTo(DI(), hn::LoadU(DBytes(), job.layers.count.data() + index));
+        looked = hn::Or(looked, hn::RebindMask(D(), hn::Lt(shown, hn::Set(DI(), job.samples))));
       }
-      const DepthLanes own(job.layers, index);
-      const M gentle = hn::And(areGentle(job.test, own, DepthLanes(job.layers, index + 1)),
-                               areGentle(job.test, own, DepthLanes(job.layers, over)));
-      const M isPlain = hn::And(hn::And(sameRight, sameAbove), hn::AndNot(nobody, gentle));
-      bits = hn::AllTrue(D(), isPlain)
-                 ? creaseBits(job, index, over)
-                 : anyBits(job, index, job.x0 + static_cast<int>(i), instance);
+      const DepthLanes own(test, index);
+      const auto unsure = [&](M same, std::size_t other) HWY_ATTR {
+        return hn::AndNot(nobody, hn::AndNot(areGentle(test, own, DepthLanes(test, other)), same));
+      };
+      const M right = unsure(sameRight, index + 1), above = unsure(sameAbove, over);
+      bits = hn::Or(
+          hn::Or(bitIf(hn::Not(sameRight), kStepRight), bitIf(hn::Not(sameAbove), kStepAbove)),
+          creaseBits(test, index, over));
+      if (!hn::AllFalse(D(), hn::Or(right, above))) {
+        const int x = job.x0 + static_cast<int>(i);
+        const LayerLanes here(job, index, x, job.y);
+        const auto steps = [&](M among, const LayerLanes& next, std::int32_t step) HWY_ATTR {
+          return bitIf(hn::And(among, areStep(here, next)), step);
+        };
+        if (!hn::AllFalse(D(), right))
+          bits = hn::Or(bits, steps(right, LayerLanes(job, index + 1, x + 1, job.y), kStepRight));
+        if (!hn::AllFalse(D(), above))
+          bits = hn::Or(
+              bits, steps(above, LayerLanes(job, over, x, isTop ? job.y : job.y + 1), kStepAbove));
+      }
       bits = hn::Or(bits, bitIf(looked, kStepRight));
     }
     hn::StoreU(hn::DemoteTo(DBytes(), hn::Or(bits, onTop)), DBytes(), pairs + i);
