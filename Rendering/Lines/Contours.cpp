@@ -53,6 +53,14 @@ struct PendingPoints {
   std::uint32_t point[CrossingBatch::kCapacity];
 };
 
+/// Edges of which the faces are looked at once they may have come from memory.
+struct PendingEdges {
+  static constexpr std::size_t kCapacity = 16;
+
+  std::size_t edge[kCapacity];
+  std::size_t count = 0;
+};
+
 using Fronts = RecentValues<bool>;  ///< by normal
 
 /// Calls find(edge's number) for those of a task's edges about which a viewer may see both sides.
@@ -94,9 +102,24 @@ class ContourFinder {
   {
     PendingPoints pending;
     Fronts fronts;
+    PendingEdges edges;
+    const auto addAll = [&] {
+      for (std::size_t i = 0; i < edges.count; ++i)
+        add(table_.edges[edges.edge[i]], fronts, pending, found);
+      edges.count = 0;
+    };
     findTurning(
-        table_, bounds_, first, end, [&](const MeshEdge& edge) { fetch(edge); },
-        [&](std::size_t e) { add(table_.edges[e], fronts, pending, found); });
+        table_, bounds_, first, end,
+        [&](const MeshEdge& edge) {
+          arrays_.normalOfVertex.empty() ? fetch(edge) : fetchEnds(edge);
+        },
+        [&](std::size_t e) {
+          if (isPlain(table_.edges[e], fronts)) return;
+          if (!arrays_.normalOfVertex.empty()) fetch(table_.edges[e]);
+          edges.edge[edges.count++] = e;
+          if (edges.count == PendingEdges::kCapacity) addAll();
+        });
+    addAll();
     settle(pending, found);
   }
 
@@ -121,6 +144,22 @@ class ContourFinder {
   }
 
  private:
+  /// Of most edges the ends tell all there is: they have one normal each, both of one side.
+  bool isPlain(const MeshEdge& edge, Fronts& fronts) const
+  {
+    if (arrays_.normalOfVertex.empty()) return false;
+    const std::uint32_t first = arrays_.normalOfVertex[edge.vertex[0]];
+    const std::uint32_t second = arrays_.normalOfVertex[edge.vertex[1]];
+    return first != kNoCorner && second != kNoCorner &&
+           isFrontAt(first, edge.vertex[0], fronts) == isFrontAt(second, edge.vertex[1], fronts);
+  }
+  void fetchEnds(const MeshEdge& edge) const
+  {
+    for (const std::uint32_t vertex : edge.vertex) {
+      fetchPosition(mesh_, vertex);
+      prefetch(arrays_.normalOfVertex.data() + vertex);
+    }
+  }
   void fetch(const MeshEdge& edge) const
   {
     fetchEdge(mesh_, edge);
@@ -195,11 +234,14 @@ class ContourFinder {
     result.corner[0] = isForward ? corner : next;
     result.corner[1] = isForward ? next : corner;
     for (int end = 0; end < 2; ++end)
-      result.isFront[end] = fronts.at(normalNumber(result.corner[end]), [&](std::uint32_t number) {
-        return slope(mesh_.position(edge.vertex[end]),
-                     vec3Cast<double>(arrays_.vertexNormals[number])) >= 0;
-      });
+      result.isFront[end] = isFrontAt(normalNumber(result.corner[end]), edge.vertex[end], fronts);
     return result;
+  }
+  bool isFrontAt(std::uint32_t normal, std::uint32_t vertex, Fronts& fronts) const
+  {
+    return fronts.at(normal, [&](std::uint32_t number) {
+      return slope(mesh_.position(vertex), vec3Cast<double>(arrays_.vertexNormals[number])) >= 0;
+    });
   }
 
   EdgeCurve curveOf(const MeshEdge& edge, const EdgeSide& side) const
@@ -426,8 +468,15 @@ EdgeChains silhouetteEdges(const MeshView& mesh, const EdgeTable& table, const F
       threads, table.edges.size(), kPerTask,
       [&](std::size_t task, std::size_t first, std::size_t end) {
         RecentValues<bool> fronts;
+        RecentValues<Vec3d> places;
+        const auto inView = [&](std::uint32_t vertex) {
+          return places.at(vertex, [&](std::uint32_t v) { return facing.inView(v); });
+        };
         const auto isFront = [&](std::uint32_t corner) {
-          return fronts.at(corner / 3, [&](std::uint32_t face) { return facing.isFront(face); });
+          return fronts.at(corner / 3, [&](std::uint32_t face) {
+            const auto [a, b, c] = mesh.triangles[face].vertex;
+            return facing.isFront(inView(a), inView(b), inView(c));
+          });
         };
         findTurning(
             table, bounded, first, end, [&](const MeshEdge& edge) { fetchEdge(mesh, edge); },

@@ -68,6 +68,9 @@ struct FeatureArrays {
   Span<const std::uint32_t> ids;    ///< by cell: parts, materials
   Span<const Vec3f> vertexNormals;  ///< by vertex, or by normalOfCorner
   Span<const std::uint32_t> normalOfCorner;  ///< as in Attributes
+  /// By vertex the one that all corners there name, or 0xFFFFFFFF; of a mesh whose vertices are
+  /// welded. It tells nothing new, but at once.
+  Span<const std::uint32_t> normalOfVertex;
 };
 
 /// Kinds of each edge. The angle between normals does not depend on how faces are wound; faces

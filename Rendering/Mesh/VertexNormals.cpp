@@ -249,7 +249,7 @@ std::vector<Vec3f> vertexNormals(const MeshView& mesh, NormalWeight weight)
 
 Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
                           NormalWeight weight, double featureDegrees, int threads,
-                          SplitNormals& split)
+                          SplitNormals& split, Array<std::uint32_t>* only)
 {
   if (mesh.triangles.size() >= std::numeric_limits<std::uint32_t>::max() / 3)
     return {Error::kTooManyPrimitives,
@@ -263,6 +263,7 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
   constexpr std::size_t kBlock = 4096, kTrianglesPerTask = 8192, kAhead = 4;
   const std::size_t vertices = mesh.vertexCount(), blocks = stretchCount(vertices, kBlock);
   std::vector<std::vector<Vec3f>> normals(blocks);
+  if (only != nullptr) only->resize(vertices);
   parallelForStretches(threads, vertices, kBlock,
                        [&](std::size_t block, std::size_t begin, std::size_t end) {
                          CornerGroups groups(contributions, cells, cosine);
@@ -273,7 +274,11 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
                                contributions.fetch(corner / 3);
                                prefetch(split.ofCorner.data() + corner);
                              }
+                           const std::size_t before = normals[block].size();
                            groups.add(corners.of(v), normals[block], split.ofCorner);
+                           if (only == nullptr) continue;
+                           const bool isOnly = normals[block].size() == before + 1;
+                           (*only)[v] = isOnly ? static_cast<std::uint32_t>(before) : kNoOnlyNormal;
                          }
                        });
 
@@ -284,6 +289,9 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
   split.normals.assign(std::max<std::size_t>(first[blocks], 1), Vec3f{0, 0, 0});
   parallelFor(threads, blocks, [&](std::size_t block) {
     std::copy(normals[block].begin(), normals[block].end(), split.normals.begin() + first[block]);
+    const std::size_t end = std::min(vertices, (block + 1) * kBlock);
+    for (std::size_t v = block * kBlock; only != nullptr && v < end; ++v)
+      if ((*only)[v] != kNoOnlyNormal) (*only)[v] += static_cast<std::uint32_t>(first[block]);
   });
   parallelForEach(threads, mesh.triangles.size(), kTrianglesPerTask, [&](std::size_t t) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -28,15 +28,18 @@ struct SplitNormals {
   std::vector<Vec3f> normals;     ///< unit, or zero; a vertex may have several
   Array<std::uint32_t> ofCorner;  ///< three a triangle: Attributes::normalOfCorner
 };
+inline constexpr std::uint32_t kNoOnlyNormal = 0xFFFFFFFFu;
 
 /// As vertexNormals(), but apart on the two sides of a feature edge: a corner's normal is the sum
 /// over those triangles around its vertex that are reached from its own over edges whose two
 /// triangles' normals are at most `featureDegrees`, 0 to 180, apart, or are of one cell. `cells` as
 /// in Attributes. An edge of more than two triangles joins each with the next in their order.
-/// Errors: kTooManyPrimitives for 2^32 / 3 triangles and more; `split` is as it was then.
+/// `only`, or null, gets by vertex the number of the normal that all its corners have, or
+/// kNoOnlyNormal. Errors: kTooManyPrimitives for 2^32 / 3 triangles and more; `split` and `only`
+/// are as they were then.
 Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
                           NormalWeight weight, double featureDegrees, int threads,
-                          SplitNormals& split);
+                          SplitNormals& split, Array<std::uint32_t>* only = nullptr);
 
 /// The vertex of each normal of splitVertexNormals(): it has one.
 std::vector<std::uint32_t> verticesOfNormals(const MeshView& mesh, const SplitNormals& split);

@@ -248,6 +248,36 @@ TEST(Contours, FollowHardEdgesWhereOneSideIsSeen)
   EXPECT_EQ(model.edges(stage).chains.vertex.size(), 7u);
 }
 
+TEST(Contours, AreTheSameWhereNormalsAreToldByVertex)
+{
+  OwnedMesh sphere = testing::sphere(15, 16);
+  for (Vec3f& position : sphere.positions)
+    if (position.z > 0.5f) position.z = 0.5f;
+  SplitNormals split;
+  Array<std::uint32_t> only;
+  ASSERT_TRUE(
+      splitVertexNormals(sphere.view(), {}, NormalWeight::kAngle, 30, 2, split, &only).ok());
+  const auto severals = std::count(only.begin(), only.end(), kNoOnlyNormal);
+  ASSERT_GT(severals, 10) << "around the cut";
+  ASSERT_LT(severals, 100);
+  Model model(sphere.view(), split.normals);
+  model.arrays.normalOfCorner = split.ofCorner;
+  Model told = model;
+  told.arrays.normalOfVertex = only;
+  for (int i = 0; i < 12; ++i) {
+    const double angle = i * kPi / 6;
+    const Vec3d eye = {4 * std::cos(angle), 4 * std::sin(angle), 1.0 + 0.3 * i};
+    const Stage stage = stageOf(testing::perspectiveView(eye, {0, 0, 0}, 50));
+    const ContourLines expected = model.smooth(stage), actual = told.smooth(stage);
+    ASSERT_FALSE(expected.points.empty());
+    ASSERT_EQ(actual.points.size(), expected.points.size());
+    for (std::size_t p = 0; p < expected.points.size(); ++p)
+      EXPECT_TRUE(actual.points[p] == expected.points[p]);
+    EXPECT_EQ(actual.chains.vertex, expected.chains.vertex);
+    EXPECT_EQ(actual.chains.first, expected.chains.first);
+  }
+}
+
 TEST(Contours, OfAPlaneAreNone)
 {
   const Polyhedron plane = testing::plane(4);

@@ -272,8 +272,9 @@ Status SurfaceLines::updateNormals(double creaseDegrees, const Instance& instanc
     return {};
   }
   this->weld(instance.mesh, threads);
-  const Status status = splitVertexNormals(this->weldedMesh(instance.mesh),
-    instance.attributes.cells, NormalWeight::kAngle, creaseDegrees, threads, normals_);
+  const Status status =
+    splitVertexNormals(this->weldedMesh(instance.mesh), instance.attributes.cells,
+      NormalWeight::kAngle, creaseDegrees, threads, normals_, &onlyNormals_);
   normalsDegrees_ = status.ok() ? creaseDegrees : -1;
   if (status.ok())
   {
@@ -288,6 +289,7 @@ FeatureArrays SurfaceLines::contourArrays() const
   FeatureArrays arrays;
   arrays.vertexNormals = normals_.normals;
   arrays.normalOfCorner = normals_.ofCorner;
+  arrays.normalOfVertex = onlyNormals_;
   return arrays;
 }
 

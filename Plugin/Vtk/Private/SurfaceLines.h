@@ -128,7 +128,8 @@ private:
   std::shared_ptr<const EdgeChains> features_;
   Array<Triangle> weldedTriangles_;
   double normalsDegrees_ = -1;
-  SplitNormals normals_; ///< of the welded mesh, split where lines are creases
+  SplitNormals normals_;             ///< of the welded mesh, split where lines are creases
+  Array<std::uint32_t> onlyNormals_; ///< of these, by place: FeatureArrays::normalOfVertex
   FacingBounds normalBounds_;
   std::vector<Vec3f> smoothNormals_;
   NormalsVersion curvedNormals_;
