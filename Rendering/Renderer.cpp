@@ -291,14 +291,16 @@ TileStats drawTile(const PlacedScene& scene, const TileBins& bins, std::size_t t
   memory.colors.pixel = memory.runColor;
   if (!isToBeCleared(frame.clear, pixels, bins.touched))
     return isEmpty ? TileStats{} : drawClusters(scene, bins, tile, pixels, frame, pixels, passes);
+  if (isEmpty) {
+    TileFrame::clear(frame, pixels);
+    return {};
+  }
   // What need not be mixed is drawn where it stays.
   TileFrame& fresh = memory.fresh;
   const FrameView& cleared =
       fresh.begin(frame, pixels, scene.scene->samples == 1 ? memory.visible.depth[0] : nullptr);
   memory.colors.pixel = cleared.color;
-  const TileStats stats =
-      isEmpty ? TileStats{}
-              : drawClusters(scene, bins, tile, pixels, cleared, fresh.pixels(), passes);
+  const TileStats stats = drawClusters(scene, bins, tile, pixels, cleared, fresh.pixels(), passes);
   fresh.write();
   return stats;
 }

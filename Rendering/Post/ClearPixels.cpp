@@ -20,18 +20,7 @@ void clearPixels(const FrameView& frame, const TileRectangle& pixels)
       else
         std::copy_n(row(pixels.y0), width, row(y));
   };
-  fill(frame.color, frame.clear.color);
-  const auto intensity = [](std::uint8_t byte) { return static_cast<float>(byte) / 255.0f; };
-  fill(frame.radiance.r, intensity(frame.clear.color.r));
-  fill(frame.radiance.g, intensity(frame.clear.color.g));
-  fill(frame.radiance.b, intensity(frame.clear.color.b));
-  fill(frame.depth, frame.clear.depth);
-  fill(frame.coverage, std::uint8_t{0});
-  fill(frame.instance, kNobody);
-  fill(frame.cell, kNobody);
-  fill(frame.normal.x, 0.0f);
-  fill(frame.normal.y, 0.0f);
-  fill(frame.normal.z, 0.0f);
+  forEachClearedPlane(frame, fill);
 }
 
 }  // namespace limn

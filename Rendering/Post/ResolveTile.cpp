@@ -62,8 +62,12 @@ void copyRuns(const TileClusters& clusters, const VisibilityTile& tile, const Ti
 void copyFragments(const TileClusters& clusters, const TilePlace& place,
                    const FragmentList& fragments, const TileColors& colors, const FrameView& frame)
 {
-  for (std::size_t f = 0; f < fragments.count; ++f)
-    frame.color[place.indexOf(fragments.pixel[f])] = colors.fragment[f];
+  if (place.isWholeTile())
+    for (std::size_t f = 0; f < fragments.count; ++f)
+      frame.color[fragments.pixel[f]] = colors.fragment[f];
+  else
+    for (std::size_t f = 0; f < fragments.count; ++f)
+      frame.color[place.indexOf(fragments.pixel[f])] = colors.fragment[f];
   for (std::size_t f = 0; frame.coverage != nullptr && f < fragments.count; ++f)
     frame.coverage[place.indexOf(fragments.pixel[f])] = 1;
   if (frame.instance == nullptr && frame.cell == nullptr) return;

@@ -21,11 +21,11 @@ void streamRow(const std::uint8_t* from, std::uint8_t* to, std::size_t bytes)
   constexpr std::size_t kLine = 64;
   const std::size_t toLine = (kLine - reinterpret_cast<std::uintptr_t>(to) % kLine) % kLine;
   std::size_t i = toLine < bytes ? toLine : bytes;
-  std::memcpy(to, from, i);
+  if (i > 0) std::memcpy(to, from, i);
   for (; i + kLine <= bytes; i += kLine)
     for (std::size_t part = 0; part < kLine; part += hn::Lanes(d))
       hn::Stream(hn::LoadU(d, from + i + part), d, to + i + part);
-  std::memcpy(to + i, from + i, bytes - i);
+  if (i < bytes) std::memcpy(to + i, from + i, bytes - i);
 }
 
 void streamRowsKernel(const StreamedRows& rows)

@@ -11,6 +11,9 @@
 #if HWY_ONCE
 #include "Rendering/Post/ClearPixels.h"
 
+#include <algorithm>
+#include <type_traits>
+
 namespace limn {
 
 HWY_EXPORT(streamRowsKernel);
@@ -73,6 +76,20 @@ void TileFrame::write() const
   copy(tile_.normal.x, frame_.normal.x);
   copy(tile_.normal.y, frame_.normal.y);
   copy(tile_.normal.z, frame_.normal.z);
+}
+
+void TileFrame::clear(const FrameView& frame, const TileRectangle& place)
+{
+  const auto clearPlane = [&](auto* ofFrame, auto value) {
+    if (ofFrame == nullptr) return;
+    using Element = std::remove_pointer_t<decltype(ofFrame)>;
+    alignas(64) Element row[kTileSide];
+    std::fill_n(row, kTileSide, value);
+    constexpr auto kSize = static_cast<std::ptrdiff_t>(sizeof(Element));
+    streamRows({row, ofFrame + place.y0 * frame.rowStride + place.x0, 0, frame.rowStride * kSize,
+                static_cast<std::size_t>((place.x1 - place.x0) * kSize), place.y1 - place.y0});
+  };
+  forEachClearedPlane(frame, clearPlane);
 }
 
 }  // namespace limn

@@ -20,6 +20,8 @@ class TileFrame {
   TileRectangle pixels() const { return {0, 0, place_.x1 - place_.x0, place_.y1 - place_.y0}; }
   /// Copies the tile to its place in the frame.
   void write() const;
+  /// The same of a tile in which nothing is drawn, from rows that are cleared once.
+  static void clear(const FrameView& frame, const TileRectangle& place);
 
  private:
   FrameView frame_, tile_;

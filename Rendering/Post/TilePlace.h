@@ -16,6 +16,8 @@ class TilePlace {
       : first_(pixels.y0 * frame.rowStride + pixels.x0), rowStride_(frame.rowStride)
   {
   }
+  /// Whether indexOf() is the pixel's own number, as of a TileFrame.
+  bool isWholeTile() const { return first_ == 0 && rowStride_ == kTileSide; }
   std::ptrdiff_t indexOf(std::size_t pixel) const
   {
     return first_ + static_cast<std::ptrdiff_t>(pixel / kTileSide) * rowStride_ +
