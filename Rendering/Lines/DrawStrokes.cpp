@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <optional>
 
@@ -28,7 +29,10 @@ class StrokeBins {
       : grid_(grid), first_(grid.count() + 1, 0)
   {
     std::vector<std::atomic<std::uint32_t>> next(grid.count());
-    forEachPiece(plan, threads, [&](std::size_t tile, std::uint32_t) {
+    Array<TileRange> ranges(plan.pieces.size());
+    parallelForEach(threads, plan.pieces.size(), kPiecesPerTask,
+                    [&](std::size_t i) { ranges[i] = rangeOf(plan.pieces[i]); });
+    forEachPiece(plan, ranges, threads, [&](std::size_t tile, std::uint32_t) {
       next[tile].fetch_add(1, std::memory_order_relaxed);
     });
     for (std::size_t tile = 0; tile < grid.count(); ++tile) {
@@ -36,7 +40,7 @@ class StrokeBins {
       next[tile].store(first_[tile]);
     }
     piece_.resize(first_.back());
-    forEachPiece(plan, threads, [&](std::size_t tile, std::uint32_t piece) {
+    forEachPiece(plan, ranges, threads, [&](std::size_t tile, std::uint32_t piece) {
       piece_[next[tile].fetch_add(1, std::memory_order_relaxed)] = piece;
     });
   }
@@ -51,26 +55,34 @@ class StrokeBins {
   }
 
  private:
-  template <class Visit>
-  void forEachPiece(const StrokePlan& plan, int threads, const Visit& visit) const
+  /// Tiles [x0, x1] x [y0, y1] around a piece.
+  struct TileRange {
+    int x0, y0, x1, y1;
+  };
+  static double reachOf(const StrokePiece& piece)
   {
-    parallelForEach(threads, plan.pieces.size(), kPiecesPerTask, [&](std::size_t i) {
-      forEachTile(plan.pieces[i],
-                  [&](std::size_t tile) { visit(tile, static_cast<std::uint32_t>(i)); });
-    });
+    return static_cast<double>(std::max(piece.half0, piece.half1)) + 1.0;
+  }
+  TileRange rangeOf(const StrokePiece& piece) const
+  {
+    const double reach = reachOf(piece);
+    return {column(std::min(piece.x0, piece.x1) - reach, grid_.columns()),
+            column(std::min(piece.y0, piece.y1) - reach, grid_.rows()),
+            column(std::max(piece.x0, piece.x1) + reach, grid_.columns()),
+            column(std::max(piece.y0, piece.y1) + reach, grid_.rows())};
   }
   template <class Visit>
-  void forEachTile(const StrokePiece& piece, const Visit& visit) const
+  void forEachPiece(const StrokePlan& plan, const Array<TileRange>& ranges, int threads,
+                    const Visit& visit) const
   {
-    const double reach = static_cast<double>(std::max(piece.half0, piece.half1)) + 1.0;
-    const int x0 = column(std::min(piece.x0, piece.x1) - reach, grid_.columns());
-    const int x1 = column(std::max(piece.x0, piece.x1) + reach, grid_.columns());
-    const int y0 = column(std::min(piece.y0, piece.y1) - reach, grid_.rows());
-    const int y1 = column(std::max(piece.y0, piece.y1) + reach, grid_.rows());
-    const bool isLong = x1 > x0 && y1 > y0;
-    for (int y = y0; y <= y1; ++y)
-      for (int x = x0; x <= x1; ++x)
-        if (!isLong || meets(piece, x, y, reach)) visit(grid_.index(x, y));
+    parallelForEach(threads, plan.pieces.size(), kPiecesPerTask, [&](std::size_t i) {
+      const auto [x0, y0, x1, y1] = ranges[i];
+      const bool isLong = x1 > x0 && y1 > y0;
+      for (int y = y0; y <= y1; ++y)
+        for (int x = x0; x <= x1; ++x)
+          if (!isLong || meets(plan.pieces[i], x, y, reachOf(plan.pieces[i])))
+            visit(grid_.index(x, y), static_cast<std::uint32_t>(i));
+    });
   }
   static int column(double pixel, int count)
   {
@@ -138,12 +150,12 @@ class TilePainter {
  private:
   void paintGroup(const StrokeGroup& group, Span<const std::uint32_t> pieces)
   {
-    std::fill_n(memory_->coverage, kTilePixels, 0.0f);
-    std::fill_n(memory_->depth, kTilePixels, kNoDepth);
+    memory_->clear();
     int x0 = kTileSide, y0 = kTileSide, x1 = 0, y1 = 0;
     for (const std::uint32_t piece : pieces) {
       const TileStroke stroke = strokeInTile(plan_.pieces[piece], tile_);
       if (stroke.x0 >= stroke.x1 || stroke.y0 >= stroke.y1) continue;
+      memory_->use(stroke.y0, stroke.y1);
       coverStroke(stroke, *memory_);
       x0 = std::min(x0, stroke.x0);
       y0 = std::min(y0, stroke.y0);
@@ -151,11 +163,10 @@ class TilePainter {
       y1 = std::max(y1, stroke.y1);
     }
     const StrokeBlend blend(group, frame_, cut_, open_, samples_);
-    for (int y = y0; y < y1; ++y)
-      for (int x = x0; x < x1; ++x) {
+    for (int y = y0; y < y1; ++y) {
+      forEachCovered(memory_->coverage + y * kTileSide, x0, x1, [&](int x) {
         const float coverage = memory_->coverage[y * kTileSide + x];
         const float depth = memory_->depth[y * kTileSide + x];
-        if (!(coverage > 0)) continue;
         const TilePanes::Pixel* const over =
             panes_ == nullptr ? nullptr : panesOf_[y * kTileSide + x];
         if (over == nullptr)
@@ -163,7 +174,27 @@ class TilePainter {
         else
           blend.blend(tile_.x0 + x, tile_.y0 + y, coverage, depth,
                       panes_->before(*over, group.color, depth, group.instance));
+      });
+    }
+  }
+  /// Calls visit(x) for the pixels of [x0, x1) of a row that are covered. Most are not.
+  template <class Visit>
+  static void forEachCovered(const float* row, int x0, int x1, const Visit& visit)
+  {
+    constexpr int kAtOnce = 4;
+    for (int x = x0; x < x1;) {
+      std::uint64_t bits[2];
+      static_assert(sizeof bits == kAtOnce * sizeof *row);
+      if (x + kAtOnce <= x1) {
+        std::memcpy(bits, row + x, sizeof bits);
+        if ((bits[0] | bits[1]) == 0) {
+          x += kAtOnce;
+          continue;
+        }
       }
+      for (const int end = std::min(x + kAtOnce, x1); x < end; ++x)
+        if (row[x] > 0) visit(x);
+    }
   }
 
   const StrokePlan& plan_;

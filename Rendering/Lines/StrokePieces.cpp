@@ -210,21 +210,24 @@ class ChainCutter {
     const int column = inside(x, frame_.width), row = inside(y, frame_.height);
     float copy[kWindow * kWindow];
     const auto [here, stride] = depthsAt(column, row, copy);
-    // Beyond the apron depths are carried farther than that reckons with.
-    const bool isInPixel =
-        std::fabs(x - (column + 0.5)) <= 0.5 && std::fabs(y - (row + 0.5)) <= 0.5;
-    if (isInPixel && isDeepBehind(here, stride, tested)) return false;
-    // The pixel itself first: it mostly settles it.
-    constexpr int kOrder[9][2] = {{0, 0},   {-1, 0}, {1, 0},  {0, -1}, {0, 1},
-                                  {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
-    for (const auto& [dx, dy] : kOrder) {
+    const auto reaches = [&](int dx, int dy) {
       const float* const depth = here + dy * stride + dx;
       const double slopeX = slopeAt(depth, 1), slopeY = slopeAt(depth, stride);
       const double alongX = x - (column + dx + 0.5), alongY = y - (row + dy + 0.5);
       const double carried = *depth + (slopeX * alongX + slopeY * alongY);
       const double bias = kSlopePixels * (std::fabs(slopeX) + std::fabs(slopeY)) + kDepthBias;
-      if (carried + bias >= tested) return true;
-    }
+      return carried + bias >= tested;
+    };
+    // The pixel itself first: it mostly settles it.
+    if (reaches(0, 0)) return true;
+    // Beyond the apron depths are carried farther than that reckons with.
+    const bool isInPixel =
+        std::fabs(x - (column + 0.5)) <= 0.5 && std::fabs(y - (row + 0.5)) <= 0.5;
+    if (isInPixel && isDeepBehind(here, stride, tested)) return false;
+    constexpr int kOrder[8][2] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
+                                  {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
+    for (const auto& [dx, dy] : kOrder)
+      if (reaches(dx, dy)) return true;
     return false;
   }
   /// Whether a depth is farther than what can be carried there from any of the pixels around: these

@@ -23,14 +23,46 @@ HWY_INLINE V inUnitRange(V a)
   return lesser(positive(a), set(1.0f));
 }
 
+/// A TileStroke, one value a lane. Local to the kernel: it might change with all that is written
+/// else.
+struct StrokeLanes {
+  V distance, normalX, normalY, along, alongX, alongY;
+  V length, inverseLength, half, halfGrowth, startLimit, endLimit, round0, round1;
+  V nearest, depthGrowth, inner, outer, linear, quadratic;
+
+  explicit StrokeLanes(const TileStroke& stroke)
+      : distance(set(stroke.distance)),
+        normalX(set(stroke.normalX)),
+        normalY(set(stroke.normalY)),
+        along(set(stroke.along)),
+        alongX(set(stroke.alongX)),
+        alongY(set(stroke.alongY)),
+        length(set(stroke.length)),
+        inverseLength(set(stroke.inverseLength)),
+        half(set(stroke.half)),
+        halfGrowth(set(stroke.halfGrowth)),
+        startLimit(set(stroke.startLimit)),
+        endLimit(set(stroke.endLimit)),
+        round0(set(stroke.round0)),
+        round1(set(stroke.round1)),
+        nearest(set(stroke.nearest)),
+        depthGrowth(set(stroke.depthGrowth)),
+        inner(set(stroke.inner)),
+        outer(set(stroke.outer)),
+        linear(set(stroke.linear)),
+        quadratic(set(stroke.quadratic))
+  {
+  }
+};
+
 /// The share of a pixel that lies before a straight line at signed distance d from its centre.
-HWY_INLINE V shareBefore(const TileStroke& stroke, V d)
+HWY_INLINE V shareBefore(const StrokeLanes& stroke, V d)
 {
   const V y = hn::Abs(d);
-  const V rest = positive(hn::Sub(set(stroke.outer), y));
-  const V far = hn::Sub(set(1.0f), hn::Mul(hn::Mul(rest, rest), set(stroke.quadratic)));
-  const V near = hn::Add(set(0.5f), hn::Mul(y, set(stroke.linear)));
-  const V share = hn::IfThenElse(hn::Le(y, set(stroke.inner)), near, far);
+  const V rest = positive(hn::Sub(stroke.outer, y));
+  const V far = hn::Sub(set(1.0f), hn::Mul(hn::Mul(rest, rest), stroke.quadratic));
+  const V near = hn::Add(set(0.5f), hn::Mul(y, stroke.linear));
+  const V share = hn::IfThenElse(hn::Le(y, stroke.inner), near, far);
   return hn::IfThenElse(hn::Lt(d, hn::Zero(D())), hn::Sub(set(1.0f), share), share);
 }
 
@@ -59,7 +91,8 @@ void coverStrokeKernel(const TileStroke& stroke, StrokeTile& tile)
   const D lanes;
   const auto step = static_cast<int>(hn::Lanes(lanes));
   const V half = set(0.5f), iota = hn::Iota(lanes, 0.5f);
-  for (int row = stroke.y0; row < stroke.y1; ++row) {
+  const StrokeLanes lanesOf(stroke);
+  for (int row = stroke.y0, end = stroke.y1; row < end; ++row) {
     const StrokeColumns columns = columnsOf(stroke, static_cast<float>(row) + 0.5f);
     const V y = set(static_cast<float>(row) + 0.5f);
     float* const coverage = tile.coverage + row * kTileSide;
@@ -68,24 +101,24 @@ void coverStrokeKernel(const TileStroke& stroke, StrokeTile& tile)
     for (int first = columns.first; first < columns.end; first += step) {
       const int column = std::min(first, kTileSide - step);
       const V x = hn::Add(set(static_cast<float>(column)), iota);
-      const V d = hn::Add(hn::Add(set(stroke.distance), hn::Mul(x, set(stroke.normalX))),
-                          hn::Mul(y, set(stroke.normalY)));
-      const V s = hn::Add(hn::Add(set(stroke.along), hn::Mul(x, set(stroke.alongX))),
-                          hn::Mul(y, set(stroke.alongY)));
-      const V before = hn::Mul(positive(hn::Neg(s)), set(stroke.round0));
-      const V after = hn::Mul(positive(hn::Sub(s, set(stroke.length))), set(stroke.round1));
+      const V d = hn::Add(hn::Add(lanesOf.distance, hn::Mul(x, lanesOf.normalX)),
+                          hn::Mul(y, lanesOf.normalY));
+      const V s =
+          hn::Add(hn::Add(lanesOf.along, hn::Mul(x, lanesOf.alongX)), hn::Mul(y, lanesOf.alongY));
+      const V before = hn::Mul(positive(hn::Neg(s)), lanesOf.round0);
+      const V after = hn::Mul(positive(hn::Sub(s, lanesOf.length)), lanesOf.round1);
       const V beyond = hn::Add(before, after);
       const V distance = hn::Sqrt(hn::Add(hn::Mul(d, d), hn::Mul(beyond, beyond)));
-      const V t = inUnitRange(hn::Mul(s, set(stroke.inverseLength)));
-      const V width = hn::Add(set(stroke.half), hn::Mul(t, set(stroke.halfGrowth)));
-      const V across = hn::Sub(shareBefore(stroke, hn::Add(distance, width)),
-                               shareBefore(stroke, hn::Sub(distance, width)));
-      const V along = inUnitRange(hn::Sub(lesser(hn::Add(s, half), set(stroke.endLimit)),
-                                          greater(hn::Sub(s, half), set(stroke.startLimit))));
+      const V t = inUnitRange(hn::Mul(s, lanesOf.inverseLength));
+      const V width = hn::Add(lanesOf.half, hn::Mul(t, lanesOf.halfGrowth));
+      const V across = hn::Sub(shareBefore(lanesOf, hn::Add(distance, width)),
+                               shareBefore(lanesOf, hn::Sub(distance, width)));
+      const V along = inUnitRange(hn::Sub(lesser(hn::Add(s, half), lanesOf.endLimit),
+                                          greater(hn::Sub(s, half), lanesOf.startLimit)));
       const V covered = hn::Mul(across, along);
       const V old = hn::LoadU(lanes, coverage + column);
       hn::StoreU(greater(old, covered), lanes, coverage + column);
-      const V z = hn::Add(set(stroke.nearest), hn::Mul(t, set(stroke.depthGrowth)));
+      const V z = hn::Add(lanesOf.nearest, hn::Mul(t, lanesOf.depthGrowth));
       const V oldDepth = hn::LoadU(lanes, depth + column);
       hn::StoreU(hn::IfThenElse(isPositive(covered), lesser(oldDepth, z), oldDepth), lanes,
                  depth + column);

@@ -5,6 +5,8 @@
 #include "Rendering/Binning/TileGrid.h"
 #include "Rendering/Lines/StrokePieces.h"
 
+#include <algorithm>
+
 namespace limn {
 
 /// A piece of a stroke as the pixels of one tile see it. A pixel centre (x, y), from the tile's
@@ -29,6 +31,25 @@ struct TileStroke {
 struct StrokeTile {
   alignas(64) float coverage[kTilePixels];
   alignas(64) float depth[kTilePixels];  ///< the nearest of the pieces that cover something
+
+  /// For the next group: only rows that were used need it.
+  void clear()
+  {
+    const int first = usedY0 * kTileSide, end = std::max(usedY1, usedY0) * kTileSide;
+    std::fill(coverage + first, coverage + end, 0.0f);
+    std::fill(depth + first, depth + end, kNoDepth);
+    usedY0 = kTileSide;
+    usedY1 = 0;
+  }
+  /// Before rows [y0, y1) are written to.
+  void use(int y0, int y1)
+  {
+    usedY0 = std::min(usedY0, y0);
+    usedY1 = std::max(usedY1, y1);
+  }
+
+ private:
+  int usedY0 = 0, usedY1 = kTileSide;  ///< at first everything
 };
 
 TileStroke strokeInTile(const StrokePiece& piece, const TileRectangle& tile);
