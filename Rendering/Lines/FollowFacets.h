@@ -8,6 +8,8 @@ namespace limn {
 
 /// Where and how lines are drawn that part a surface from what lies behind it.
 struct LinePicture {
+  const Camera& camera;
+  const Mat4d& modelToWorld;
   int width, height;  ///< in pixels
   const LineStyle& style;
 };
@@ -24,8 +26,8 @@ struct LinePicture {
 /// corner of the facets' outline is one of the line. Points farther from folds than the surface's
 /// turning tells stay: there the contour runs out within the surface. As nothing depends on which
 /// fold is taken where two are as near, lines do not jump while the camera moves.
+/// The same on any number of threads.
 void followFacets(const MeshView& mesh, const EdgeTable& table, const FeatureArrays& arrays,
-                  const Camera& camera, const Mat4d& modelToWorld, const LinePicture& picture,
-                  ContourLines& contours);
+                  const LinePicture& picture, int threads, ContourLines& contours);
 
 }  // namespace limn

@@ -82,11 +82,16 @@ void findEdges(const MeshView& mesh, int threads, EdgeTable& table)
   for (std::size_t& ofTask : first)
     count += std::exchange(ofTask, count);
   table.edges.resize(count);
+  table.firstEdge.resize(mesh.vertexCount() + 1);
+  table.firstEdge.back() = static_cast<std::uint32_t>(count);
   parallelForStretches(threads, mesh.vertexCount(), kVerticesPerTask,
                        [&](std::size_t task, std::size_t begin, std::size_t end) {
                          MeshEdge* out = table.edges.data() + first[task];
-                         for (std::size_t v = begin; v < end; ++v)
+                         for (std::size_t v = begin; v < end; ++v) {
+                           table.firstEdge[v] =
+                               static_cast<std::uint32_t>(out - table.edges.data());
                            out = writeEdges(static_cast<std::uint32_t>(v), halves.of(v), out);
+                         }
                        });
 }
 

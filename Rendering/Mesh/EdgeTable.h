@@ -34,8 +34,16 @@ inline std::uint32_t nextCorner(std::uint32_t corner)
 struct EdgeTable {
   std::vector<std::uint32_t> place;  ///< by vertex: see weldVertices()
   Array<MeshEdge> edges;
+  Array<std::uint32_t> firstEdge;        ///< by place, and one more: of those it is the lower of
   std::vector<std::uint8_t> woundAlike;  ///< by edge: isWoundAlike() of those that are shared
 
+  /// Number of the edge between two places, low < high; kNoCorner if there is none.
+  std::uint32_t edgeBetween(std::uint32_t low, std::uint32_t high) const
+  {
+    for (std::uint32_t e = firstEdge[low]; e < firstEdge[low + 1]; ++e)
+      if (edges[e].vertex[1] == high) return e;
+    return kNoCorner;
+  }
   /// Whether the face sets out from edge.vertex[0]. Faces that are wound alike run along an edge
   /// in opposite directions.
   bool runsForward(const MeshView& mesh, const MeshEdge& edge, int face) const

@@ -203,6 +203,22 @@ TEST(EdgeTable, BrokenTrianglesAreLeftOut)
   EXPECT_EQ(tableOf(mesh.view()).edges.size(), edges);
 }
 
+TEST(EdgeTable, FindsEdgesByTheirPlaces)
+{
+  const EdgeTable table = tableOf(testing::plane(9).unwelded().view());
+  const auto count = static_cast<std::uint32_t>(table.place.size());
+  std::uint32_t found = 0;
+  for (std::uint32_t low = 0; low < count; ++low)
+    for (std::uint32_t high = low + 1; high < count; ++high) {
+      const std::uint32_t e = table.edgeBetween(low, high);
+      if (e == kNoCorner) continue;
+      EXPECT_EQ(e, found++);
+      EXPECT_EQ(table.edges[e].vertex[0], low);
+      EXPECT_EQ(table.edges[e].vertex[1], high);
+    }
+  EXPECT_EQ(found, table.edges.size());
+}
+
 TEST(EdgeTable, AnyNumberOfThreadsMakesTheSameTable)
 {
   const Polyhedron mesh = testing::plane(150).unwelded();
@@ -210,6 +226,7 @@ TEST(EdgeTable, AnyNumberOfThreadsMakesTheSameTable)
     EdgeTable table;
     EXPECT_TRUE(buildEdgeTable(mesh.view(), 0, threads, table).ok());
     std::vector<std::uint32_t> all = table.place;
+    all.insert(all.end(), table.firstEdge.begin(), table.firstEdge.end());
     for (const MeshEdge& e : table.edges)
       all.insert(all.end(), {e.vertex[0], e.vertex[1], e.corner[0], e.corner[1], e.faceCount});
     return all;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -28,11 +29,16 @@ struct Model : testing::EdgedMesh {
   {
     return smoothContours(mesh, table, arrays, {}, stage.camera(), Mat4d::identity(), 2);
   }
-  ContourLines followed(const Stage& stage, const LineStyle& style = {}) const
+  ContourLines followed(const Stage& stage, const LineStyle& style = {}, int threads = 2) const
   {
-    ContourLines contours = smooth(stage);
-    followFacets(mesh, table, arrays, stage.camera(), Mat4d::identity(),
-                 {stage.width, stage.height, style}, contours);
+    return followed(smooth(stage), stage, style, threads);
+  }
+  ContourLines followed(ContourLines contours, const Stage& stage, const LineStyle& style,
+                        int threads) const
+  {
+    followFacets(mesh, table, arrays,
+                 {stage.camera(), Mat4d::identity(), stage.width, stage.height, style}, threads,
+                 contours);
     return contours;
   }
 };
@@ -233,6 +239,90 @@ TEST(FollowFacets, OfWhatIsBehindTheEyeStay)
     for (const Vec3d& p : model.followed(stage).points)
       ASSERT_LT(dot(p, p), 4) << frame;
   }
+}
+
+/// A sheet whose points are up to four edges out of their plane.
+OwnedMesh noise(std::uint32_t side)
+{
+  OwnedMesh mesh;
+  std::mt19937 random(7);
+  const auto at = [side](std::uint32_t x, std::uint32_t z) { return z * (side + 1) + x; };
+  const float edge = 2.0f / static_cast<float>(side);
+  for (std::uint32_t z = 0; z <= side; ++z)
+    for (std::uint32_t x = 0; x <= side; ++x) {
+      const float up = static_cast<float>(random() % 1024) / 256.0f;
+      mesh.positions.push_back(
+          {static_cast<float>(x) * edge - 1.0f, up * edge, static_cast<float>(z) * edge - 1.0f});
+      if (x == side || z == side) continue;
+      mesh.triangles.push_back({{at(x, z), at(x, z + 1), at(x + 1, z)}});
+      mesh.triangles.push_back({{at(x + 1, z), at(x, z + 1), at(x + 1, z + 1)}});
+    }
+  mesh.vertexNormals = vertexNormals(mesh.view(), NormalWeight::kAngle);
+  testing::finish(mesh);
+  return mesh;
+}
+
+TEST(FollowFacets, AreTheSameOnAnyNumberOfThreads)
+{
+  const OwnedMesh sheet = noise(160);
+  const Model model(sheet.view(), sheet.vertexNormals);
+  const Stage stage = stageOf(viewOf(0.4, false));
+  const ContourLines expected = model.followed(stage, {}, 1);
+  ASSERT_GT(expected.points.size(), 4096u);
+  for (const int threads : {2, 3, 8}) {
+    const ContourLines followed = model.followed(stage, {}, threads);
+    EXPECT_TRUE(followed.points == expected.points) << threads;
+    EXPECT_EQ(followed.slack, expected.slack) << threads;
+    EXPECT_EQ(followed.chains.vertex, expected.chains.vertex) << threads;
+    EXPECT_EQ(followed.chains.first, expected.chains.first) << threads;
+    EXPECT_EQ(followed.chains.flags, expected.chains.flags) << threads;
+  }
+}
+
+std::vector<Vec3d> pointsOf(const ContourLines& contours, std::size_t chain)
+{
+  std::vector<Vec3d> points;
+  for (std::size_t i = contours.chains.first[chain]; i < contours.chains.first[chain + 1]; ++i)
+    points.push_back(contours.points[contours.chains.vertex[i]]);
+  return points;
+}
+
+/// One of several, which shares no end with others, behind one that is long but nowhere.
+ContourLines behind(std::size_t length, const ContourLines& contours, std::size_t chain)
+{
+  ContourLines lines = contours;
+  const auto part = [&](auto& list, const auto& filling) {
+    list.erase(list.begin() + contours.chains.first[chain + 1], list.end());
+    list.erase(list.begin(), list.begin() + contours.chains.first[chain]);
+    list.insert(list.begin(), length, filling);
+  };
+  part(lines.chains.vertex, contours.chains.vertex[contours.chains.first[chain]]);
+  part(lines.chains.flags, std::uint8_t{kOuterLine});
+  part(lines.facets, ContourFacet{kNoCorner, false});
+  lines.chains.first = {0, static_cast<std::uint32_t>(length),
+                        static_cast<std::uint32_t>(lines.chains.vertex.size())};
+  return lines;
+}
+
+// Threads take the chains in stretches, of 1024 places or a share of that.
+TEST(FollowFacets, StretchesMayBeginAnywhereInALoop)
+{
+  const OwnedMesh sheet = noise(160);
+  const Model model(sheet.view(), sheet.vertexNormals);
+  const Stage stage = stageOf(viewOf(0.4, false));
+  const ContourLines smooth = model.smooth(stage), all = model.followed(stage);
+  const std::vector<std::uint32_t>&first = smooth.chains.first, &vertex = smooth.chains.vertex;
+  int loops = 0;
+  for (std::size_t c = 0; c + 1 < first.size() && loops < 8; ++c) {
+    const std::size_t size = first[c + 1] - first[c];
+    if (size < 16 || vertex[first[c]] != vertex[first[c + 1] - 1]) continue;
+    ++loops;
+    for (std::size_t k = 0; k <= size; ++k) {
+      const ContourLines one = model.followed(behind(4096 - k, smooth, c), stage, {}, 1);
+      ASSERT_TRUE(pointsOf(one, 1) == pointsOf(all, c)) << c << " from " << k;
+    }
+  }
+  EXPECT_EQ(loops, 8);
 }
 
 /// How many pixels of a blue surface have black ones beside them, without a red line between.

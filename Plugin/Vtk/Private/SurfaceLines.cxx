@@ -353,8 +353,9 @@ Status SurfaceLines::addContours(vtkLimnProperty* property, const LineStyle& sty
       const MeshView mesh = this->weldedMesh(instance.mesh);
       ContourLines contours = smoothContours(mesh, table_, this->contourArrays(), normalBounds_,
         view.camera, instance.modelToWorld, view.threads);
-      followFacets(mesh, table_, this->contourArrays(), view.camera, instance.modelToWorld,
-        { view.width, view.height, style }, contours);
+      followFacets(mesh, table_, this->contourArrays(),
+        { view.camera, instance.modelToWorld, view.width, view.height, style }, view.threads,
+        contours);
       return contours;
     });
   return {};
