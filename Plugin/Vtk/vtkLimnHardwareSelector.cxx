@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLimnHardwareSelector.h"
 
+#include "Private/Complaints.h"
 #include "Private/EngineState.h"
 #include "Private/SceneFromRenderer.h"
 #include "Private/Surface.h"
@@ -116,11 +117,12 @@ void vtkLimnHardwareSelector::DrawIds()
   selected.PropOfInstance.clear();
   std::vector<limn::Instance> instances;
   limn::bridge::FrameNormals normals;
+  limn::bridge::Complaints complaints;
   for (const SelectedSurface& surface : selected.Surfaces)
   {
     // Outlines are left out: what is under the ink is what is picked.
     limn::Instance instance;
-    if (limn::bridge::describe(surface.Surface, instance, normals, nullptr))
+    if (limn::bridge::describe(surface.Surface, instance, normals, nullptr, complaints))
     {
       instance.id = static_cast<std::uint32_t>(instances.size());
       instances.push_back(instance);

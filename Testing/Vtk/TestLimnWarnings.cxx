@@ -20,6 +20,7 @@
 #include <array>
 #include <initializer_list>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -137,6 +138,39 @@ void checkBrokenMeshes()
   data->GetPoints()->Modified();
   render(stage.Window);
   CHECK_EQUAL(messages.Count("Not all of the input is drawn"), 2);
+}
+
+void checkManyBrokenMeshes()
+{
+  Stage stage;
+  stage.LookFlat();
+  std::vector<vtkSmartPointer<vtkActor>> actors;
+  for (int i = 0; i < 100; ++i)
+  {
+    vtkSmartPointer<vtkPolyData> data = twoSquares();
+    if (i >= 3)
+    {
+      // The first in two triangles, the others in one.
+      data->GetPoints()->SetPoint(i == 3 ? 6 : 7, 0, std::numeric_limits<double>::infinity(), 0);
+    }
+    vtkNew<vtkLimnPolyDataMapper> mapper;
+    mapper->SetInputData(data);
+    actors.push_back(vtkSmartPointer<vtkLimnActor>::New());
+    actors.back()->SetMapper(mapper);
+    actors.back()->GetProperty()->SetOpacity(i < 3 ? 0.5 : 1);
+    vtkLimnProperty::SafeDownCast(actors.back()->GetProperty())->SetOutlineToImage();
+    stage.Renderer->AddActor(actors.back());
+  }
+  Messages messages;
+  render(stage.Window);
+  CHECK_EQUAL(messages.Count("Not all of the input is drawn"), 1);
+  CHECK_EQUAL(messages.Count("2 triangles use a point with a coordinate"), 1);
+  CHECK_EQUAL(messages.Count("So it is with 96 more in this scene."), 1);
+  CHECK_EQUAL(messages.Count("Its outline by image is not drawn"), 1);
+  CHECK_EQUAL(messages.Count("So it is with 2 more in this scene."), 1);
+  stage.Renderer->GetActiveCamera()->Zoom(0.9);
+  render(stage.Window);
+  CHECK_EQUAL(messages.Count("in this scene"), 2);
 }
 
 // Single faces without an area are common and not worth a word; nothing but such faces is.
@@ -480,6 +514,7 @@ int TestLimnWarnings(int, char*[])
   checkFeatures();
   checkOtherProps();
   checkBrokenMeshes();
+  checkManyBrokenMeshes();
   checkFlattenedMeshes();
   checkLinesOfFlattenedMeshes();
   checkTranslucentIllustration();

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OpaqueOnly.h"
 
+#include "Complaints.h"
+
 #include "vtkActor.h"
 
 #include <array>
 #include <iterator>
+#include <string>
 
 namespace limn::bridge
 {
@@ -31,7 +34,7 @@ std::array<Cause, 4> causesOf(const Style& style)
 
 } // namespace
 
-void OpaqueOnly::look(vtkActor* actor, const Instance& instance)
+void OpaqueOnly::look(vtkActor* actor, const Instance& instance, Complaints& complaints)
 {
   const auto known = said_.find(actor);
   const unsigned before = known != said_.end() && known->second.actor ? known->second.causes : 0;
@@ -44,11 +47,10 @@ void OpaqueOnly::look(vtkActor* actor, const Instance& instance)
       now |= cause.isAsked ? bit : 0;
       if ((now & ~before & bit) != 0)
       {
-        vtkWarningWithObjectMacro(
-          actor, "Its " << cause.what
-                        << " is not drawn: only opaque surfaces have one, and this actor is "
-                           "translucent. "
-                        << cause.instead << " make the actor opaque.");
+        complaints.add(
+          actor, std::string("Its ") + cause.what +
+                   " is not drawn: only opaque surfaces have one, and this actor is translucent. " +
+                   cause.instead + " make the actor opaque.");
       }
       bit <<= 1;
     }

@@ -14,13 +14,15 @@ class vtkActor;
 namespace limn::bridge
 {
 
-/// Warns of what only opaque surfaces have and a translucent actor asks for: of each such thing
+class Complaints;
+
+/// Complains of what only opaque surfaces have and a translucent actor asks for: of each such thing
 /// once, and anew where the actor asks again after it did not.
 class OpaqueOnly
 {
 public:
   /// Requires: the instance is the surface of the actor, which is about to be drawn.
-  void look(vtkActor* actor, const Instance& instance);
+  void look(vtkActor* actor, const Instance& instance, Complaints& complaints);
 
 private:
   /// Of actors that are no more.

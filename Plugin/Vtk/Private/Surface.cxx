@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Surface.h"
 
+#include "Complaints.h"
 #include "EngineState.h"
 #include "MapperInternals.h"
 #include "SceneFromRenderer.h"
@@ -199,7 +200,7 @@ void setIds(const Surface& surface, vtkPolyData* data, Instance& instance, Frame
   }
 }
 
-void complainOnce(vtkLimnPolyDataMapper* mapper)
+void complainOnce(vtkLimnPolyDataMapper* mapper, Complaints& complaints)
 {
   vtkLimnPolyDataMapper::vtkInternals& internals = mapper->GetInternals();
   if (internals.LookedAtBuild == internals.Mesh.geometryBuilds())
@@ -210,7 +211,7 @@ void complainOnce(vtkLimnPolyDataMapper* mapper)
   const std::string complaint = internals.Mesh.complaint();
   if (!complaint.empty())
   {
-    vtkWarningWithObjectMacro(mapper, "Not all of the input is drawn." << complaint);
+    complaints.add(mapper, "Not all of the input is drawn.", complaint);
   }
 }
 
@@ -245,7 +246,7 @@ CollectedSurfaces surfacesOf(vtkRenderer* renderer, Assemblies assemblies)
 }
 
 bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
-  FrameTextures* textures, bool needsTriangles)
+  FrameTextures* textures, Complaints& complaints, bool needsTriangles)
 {
   vtkPolyData* const data = inputOf(surface.mapper);
   if (!data->GetPoints() || data->GetNumberOfPoints() == 0)
@@ -274,10 +275,10 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
   {
     surface.mapper->GetInternals().Lines.releaseAllBut(mesh.geometryChanges());
   }
-  complainOnce(surface.mapper);
+  complainOnce(surface.mapper, complaints);
   if (mesh.isEmpty())
   {
-    complainOfFlatness(surface, {});
+    complainOfFlatness(surface, {}, complaints);
     return false;
   }
   instance.modelToWorld = surface.modelToWorld;
@@ -299,7 +300,7 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
   }
   if (textures)
   {
-    textures->apply(surface.actor, surface.mapper, data, instance);
+    textures->apply(surface.actor, surface.mapper, data, instance, complaints);
   }
   if (instance.attributes.uv.empty())
   {
@@ -328,7 +329,7 @@ bool describeLines(
   return status.ok();
 }
 
-void complainOfFlatness(const Surface& surface, Span<const LineSet> lines)
+void complainOfFlatness(const Surface& surface, Span<const LineSet> lines, Complaints& complaints)
 {
   vtkLimnPolyDataMapper::vtkInternals& internals = surface.mapper->GetInternals();
   if (!internals.Mesh.isFlattened())
@@ -344,9 +345,10 @@ void complainOfFlatness(const Surface& surface, Span<const LineSet> lines)
     lines.begin(), lines.end(), [](const LineSet& set) { return set.chainCount() > 0; });
   if (!std::exchange(said.IsSaid[hasLines ? 1 : 0], true))
   {
-    vtkWarningWithObjectMacro(surface.mapper,
-      << (hasLines ? "Only lines of the input are drawn." : "Nothing of the input is drawn.")
-      << " None of its faces has an area: the corners of each lie on a line or in a point.");
+    complaints.add(surface.mapper,
+      std::string(
+        hasLines ? "Only lines of the input are drawn." : "Nothing of the input is drawn.") +
+        " None of its faces has an area: the corners of each lie on a line or in a point.");
   }
 }
 

@@ -20,6 +20,8 @@ class vtkRenderer;
 namespace limn::bridge
 {
 
+class Complaints;
+
 /// One thing to draw: a mapper's surface, as an actor wants it to look, at a place.
 struct Surface
 {
@@ -58,7 +60,7 @@ using FrameNormals = std::vector<std::shared_ptr<const void>>;
 /// is nothing to draw or something is wrong with the mesh. With `needsTriangles` the instance has
 /// its MeshView's triangles, whatever draws it.
 bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
-  FrameTextures* textures, bool needsTriangles = false);
+  FrameTextures* textures, Complaints& complaints, bool needsTriangles = false);
 
 /// Gives the instance, as describe() made it, the lines that its property asks for. False, with a
 /// message, if something is wrong with them.
@@ -67,7 +69,7 @@ bool describeLines(
 
 /// Says, once, if no face of the surface has an area: that nothing is drawn of it, or only the
 /// instance's `lines`.
-void complainOfFlatness(const Surface& surface, Span<const LineSet> lines);
+void complainOfFlatness(const Surface& surface, Span<const LineSet> lines, Complaints& complaints);
 
 /// The inverted hull of the surface as an instance of its own, borrowing from the mapper. False if
 /// its property asks for none.

@@ -6,6 +6,7 @@
 
 #include "BackendMapper.h"
 #include "ClearViewport.h"
+#include "Complaints.h"
 #include "CuesFromProperty.h"
 #include "EngineState.h"
 #include "InteractiveSamples.h"
@@ -162,8 +163,8 @@ void complainOfOutline(const Surface& surface, Causes& said)
   }
 }
 
-Drawables describeAll(
-  const std::vector<Surface>& surfaces, const LineView& view, SceneLines& sceneLines, Causes& said)
+Drawables describeAll(const std::vector<Surface>& surfaces, const LineView& view,
+  SceneLines& sceneLines, Causes& said, Complaints& complaints)
 {
   Drawables drawables;
   Hulls hulls;
@@ -176,7 +177,7 @@ Drawables describeAll(
   {
     // In place: half a kilobyte each.
     if (describe(surface, drawables.instances.emplace_back(), drawables.normals,
-          &drawables.textures, hasSceneLines))
+          &drawables.textures, complaints, hasSceneLines))
     {
       described.push_back(&surface);
       setHatchSpacing(surface, view, drawables.instances.back());
@@ -200,7 +201,7 @@ Drawables describeAll(
   }
   for (std::size_t i = 0; i < described.size(); ++i)
   {
-    complainOfFlatness(*described[i], drawables.instances[i].lines);
+    complainOfFlatness(*described[i], drawables.instances[i].lines, complaints);
   }
   hulls.appendTo(drawables);
   return drawables;
@@ -403,7 +404,8 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   view.pixelsPerInch = renderer_->GetRenderWindow()->GetDPI();
   view.threads = EngineState::instance().options.threads;
   view.rays = raysOf(lights, view.camera);
-  Drawables drawables = describeAll(surfaces, view, sceneLines_, said_);
+  Complaints complaints;
+  Drawables drawables = describeAll(surfaces, view, sceneLines_, said_, complaints);
   if (drawables.instances.empty())
   {
     return;
@@ -416,7 +418,7 @@ void SurfacePass::drawTogether(const std::vector<Surface>& surfaces)
   {
     if (!drawables.instances[i].hull)
     {
-      opaqueOnly_.look(drawables.actors[i], drawables.instances[i]);
+      opaqueOnly_.look(drawables.actors[i], drawables.instances[i], complaints);
     }
   }
   if (vtkLimnRenderWindow* const target = this->window(); target && target->GetMaps())

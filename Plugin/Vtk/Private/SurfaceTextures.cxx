@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfaceTextures.h"
 
+#include "Complaints.h"
 #include "LoadedTextures.h"
 #include "MapperInternals.h"
 #include "TextureSettings.h"
@@ -305,8 +306,8 @@ Status ColorTable::update(vtkImageData* colors)
   return status_;
 }
 
-void FrameTextures::apply(
-  vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkPolyData* data, Instance& instance)
+void FrameTextures::apply(vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkPolyData* data,
+  Instance& instance, Complaints& complaints)
 {
   const bool hasScalars = interpolatesScalars(mapper, data, instance.style.frequency);
   const bool hatchesTexture =
@@ -333,7 +334,7 @@ void FrameTextures::apply(
   addBumps(property, data, instance, list);
   if (!list.complaint().empty() && list.complaint() != kept.complaint)
   {
-    vtkWarningWithObjectMacro(mapper, "Of its textures: " << list.complaint());
+    complaints.add(mapper, "Of its textures: " + list.complaint());
   }
   kept.complaint = list.complaint();
   layers->list = list.take();

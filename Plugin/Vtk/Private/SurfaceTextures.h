@@ -24,6 +24,8 @@ class vtkPolyData;
 namespace limn::bridge
 {
 
+class Complaints;
+
 /// The colours that a mapper looks its scalars up in after it has interpolated them, loaded anew
 /// when they change.
 class ColorTable
@@ -55,9 +57,10 @@ class FrameTextures
 {
 public:
   /// Puts the textures of `actor`, its property and the mapper's scalars over `instance`. What
-  /// cannot be drawn, for lack of texture coordinates, is said once as a warning of the mapper.
+  /// cannot be drawn, for lack of texture coordinates, is said once as a complaint of the mapper.
   /// Requires: `instance` has its style and all other attributes.
-  void apply(vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkPolyData* data, Instance& instance);
+  void apply(vtkActor* actor, vtkLimnPolyDataMapper* mapper, vtkPolyData* data, Instance& instance,
+    Complaints& complaints);
 
 private:
   struct Layers
