@@ -52,6 +52,7 @@ LineMeasure::LineMeasure(const OutlinePass& pass, const FoundLines& lines, int y
       steps_(lines.steps),
       y_(y),
       reach_(reach),
+      end_(std::min(pass.touched.x1, pass.layers.width)),
       batchEnd_(std::numeric_limits<int>::min())
 {
   const int end = std::min(y + reach + 1, lines.edges.end());
@@ -348,7 +349,7 @@ void LineMeasure::measureBatch(int x)
 {
   moveTo(x);
   batch_.x = x;
-  batchEnd_ = std::min(x + BorderBatch::kPixels, layers_.width);
+  batchEnd_ = std::min(x + BorderBatch::kPixels, end_);
   const std::size_t index = layers_.indexOf(x, y_);
   for (int lane = 0; lane < BorderBatch::kPixels; ++lane)
     if (lane < batchEnd_ - x)

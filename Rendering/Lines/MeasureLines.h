@@ -96,6 +96,7 @@ class LineMeasure {
   const EdgeFinder& finder_;
   const StepGrid& steps_;
   int y_, reach_;
+  int end_;  ///< pixels from here on may have no layers
   std::vector<NearRow<EdgePoint>> edgeRows_;
   std::vector<NearRow<CreaseSegment>> creaseRows_;
   std::vector<NearEdge> near_;

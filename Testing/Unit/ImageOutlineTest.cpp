@@ -333,6 +333,24 @@ TEST_P(ImageOutlines, DrawALineWhereASteepWallStandsOnAFloor)
     }
 }
 
+TEST_P(ImageOutlines, AskNothingOfPixelsThatAreNotDrawn)
+{
+  // What the picture before left there names an instance that this one has not: to look it up
+  // changes nothing, but only sanitizers can tell.
+  constexpr int kSide = 128;
+  const OwnedMesh full = turnedSquare(kSide, 60, 0);
+  const OwnedMesh small = sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0});
+  for (const double width : {53.4, 54.4, 55.4, 56.4, 57.4, 58.4, 59.4}) {
+    const OwnedMesh left = sheet({4, 4, 0}, {width, 0, 0}, {0, 110, 0});
+    Stage many = flatStage(kSide, 1), one = flatStage(kSide, 1);
+    one.instances = {outlined(left, 3)};
+    many.instances = {outlined(small, 3), outlined(full, 3)};
+    const Picture fresh = drawOverWhite(one, GetParam());
+    drawOverWhite(many, GetParam());
+    EXPECT_EQ(drawOverWhite(one, GetParam()).differingPixels(fresh), 0u) << width;
+  }
+}
+
 TEST_P(ImageOutlines, MixByOpacityAndByTheResolve)
 {
   const OwnedMesh square = sheet({4, 4, 0}, {24, 0, 0}, {0, 24, 0});

@@ -271,15 +271,17 @@ Status SurfaceLines::updateNormals(double creaseDegrees, const Instance& instanc
   {
     return {};
   }
+  // Until all of it is there, none counts.
+  normalsDegrees_ = -1;
   this->weld(instance.mesh, threads);
   const Status status =
     splitVertexNormals(this->weldedMesh(instance.mesh), instance.attributes.cells,
       NormalWeight::kAngle, creaseDegrees, threads, normals_, &onlyNormals_);
-  normalsDegrees_ = status.ok() ? creaseDegrees : -1;
   if (status.ok())
   {
     normalBounds_ =
       boundNormals(this->weldedMesh(instance.mesh), table_, this->contourArrays(), threads);
+    normalsDegrees_ = creaseDegrees;
   }
   return status;
 }
