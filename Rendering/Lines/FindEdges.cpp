@@ -14,6 +14,10 @@
 namespace limn {
 namespace {
 
+/// Creases go on so far behind what hides them, in pixels beyond half of the line's width: their
+/// last crossing may lie so far before it.
+constexpr float kHiddenCrease = 2.0f;
+
 float larger(float a, float b)
 {
   return a < b ? b : a;
@@ -379,6 +383,44 @@ Vec2f EdgeFinder::creasePlace(const SurfacePatch& first, const SurfacePatch& sec
   const float way = wayToMeeting(first, second);
   const float t = way > 0.0f && way < 1.0f ? way : 0.5f;
   return {first.x + (second.x - first.x) * t, first.y + (second.y - first.y) * t};
+}
+
+/// The plane's normal where the axes are the screen's x and y and the window's depth.
+Vec3f EdgeFinder::planeOnScreen(const SurfacePatch& patch) const
+{
+  const auto& m = layers_.toView->matrix().m;
+  const Vec3f n = patch.plane;
+  const float distance = dot(n, patch.point.position);
+  const auto along = [&](int axis) {
+    return ((n.x * m[0][axis] + n.y * m[1][axis]) + n.z * m[2][axis]) - distance * m[3][axis];
+  };
+  return {along(0), along(1), along(2)};
+}
+
+Vec2f EdgeFinder::endBehind(const CreaseCrossing& crossing, PixelPlace inwards) const
+{
+  const PixelPlace one = layers_.pixelOf(crossing.index), other = crossing.neighbour;
+  // Normals need not tell where borders of ids go.
+  if (!crossing.isBent) return crossing.place;
+  const Pixel first = pixelAt(one.x, one.y), second = pixelAt(other.x, other.y);
+  // Steps of its own mesh may end at the crease.
+  const auto isHidden = [&](const Pixel& from) {
+    const Neighbour into = neighbourAt(from, from.x + inwards.x, from.y + inwards.y);
+    return into.isForeign && into.isHiding;
+  };
+  if (!isHidden(first) && !isHidden(second)) return crossing.place;
+  if (!(1.0f - dot(first.layer.plane, second.layer.plane) > ImageOutline::kSameNormals))
+    return crossing.place;
+  // Along the line in which the planes meet.
+  const Vec3f a = planeOnScreen(first.layer), b = planeOnScreen(second.layer);
+  const Vec2f line = {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z};
+  const float length = std::sqrt(line.x * line.x + line.y * line.y);
+  if (!(length > 0.0f && length <= std::numeric_limits<float>::max())) return crossing.place;
+  const float towards =
+      line.x * static_cast<float>(inwards.x) + line.y * static_cast<float>(inwards.y);
+  const float width = pass_.scene.instances[crossing.instance].style.outlineWidth;
+  const float way = (kHiddenCrease + 0.5f * width) / length;
+  return crossing.place + line * (towards < 0.0f ? -way : way);
 }
 
 /// The pixel's own where another instance is.

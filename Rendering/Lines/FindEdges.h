@@ -98,6 +98,10 @@ class EdgeFinder {
     return isCutBy(lean) ? Order::kCut : lean > 0.0f ? Order::kBefore : Order::kBehind;
   }
 
+  /// Where a crease ends that leaves the square into which it goes by (x, y) from its crossing
+  /// over none of the other sides: behind what hides it there; else it ends at the crossing.
+  Vec2f endBehind(const CreaseCrossing& crossing, PixelPlace inwards) const;
+
  private:
   struct Settings {
     bool isOutlined = false;
@@ -166,6 +170,7 @@ class EdgeFinder {
   void addParts(const Around& around, EdgePoint edge, EdgeRow& edges) const;
   float wayToMeeting(const SurfacePatch& first, const SurfacePatch& second) const;
   Vec2f creasePlace(const SurfacePatch& first, const SurfacePatch& second) const;
+  Vec3f planeOnScreen(const SurfacePatch& patch) const;
   void addCrossing(const Pixel& pixel, int x, int y, std::vector<CreaseCrossing>& found) const;
   void look(PixelPlace place, unsigned marks, EdgeRow& edges, CreaseRow& creases,
             StepGrid& steps) const;

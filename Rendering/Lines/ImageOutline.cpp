@@ -147,7 +147,7 @@ void drawImageOutlines(const OutlinePass& pass)
       straightenEnds(steps, y, edges);
     const int from = first == pass.touched.y0 ? std::max(first - 1, crossings.first()) : first;
     for (int y = from; y < std::min(end, crossings.end() - 1); ++y)
-      joinCrossings(pass, crossings[y], crossings[y + 1], creases[y]);
+      joinCrossings(pass, finder, crossings[y], crossings[y + 1], creases[y]);
   });
 
   int reach = 0;

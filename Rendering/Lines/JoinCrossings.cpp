@@ -7,6 +7,9 @@
 namespace limn {
 namespace {
 
+/// From the sides of a square into it: below, left, right, above.
+constexpr PixelPlace kInwards[] = {{0, 1}, {1, 0}, {-1, 0}, {0, -1}};
+
 /// Crossings of one square and of the same instance.
 void joinAlike(const OutlinePass& pass, const CreaseCrossing* const* met, int count, int column,
                std::vector<CreaseSegment>& segments)
@@ -30,8 +33,8 @@ void joinAlike(const OutlinePass& pass, const CreaseCrossing* const* met, int co
 
 }  // namespace
 
-void joinCrossings(const OutlinePass& pass, const CreaseRow& row, const CreaseRow& above,
-                   CreaseRow& result)
+void joinCrossings(const OutlinePass& pass, const EdgeFinder& finder, const CreaseRow& row,
+                   const CreaseRow& above, CreaseRow& result)
 {
   forEachSquare(row, above, -pass.layers.apron, [&](int column, const SquareSides& sides) {
     const CreaseCrossing* rest[] = {sides.below, sides.left, sides.right, sides.above};
@@ -45,6 +48,9 @@ void joinCrossings(const OutlinePass& pass, const CreaseRow& row, const CreaseRo
         if (k > i) rest[k] = nullptr;
       }
       joinAlike(pass, met, count, column, result.segments);
+      if (count > 1) continue;
+      CreaseSegment& only = result.segments.back();
+      only.to = finder.endBehind(*met[0], kInwards[i]);
     }
   });
 }

@@ -7,8 +7,8 @@
 namespace limn {
 
 /// Joins the crossings on the sides of the squares between the centres of two rows' pixels,
-/// those of the same instance.
-void joinCrossings(const OutlinePass& pass, const CreaseRow& row, const CreaseRow& above,
-                   CreaseRow& result);
+/// those of the same instance. Creases that come to what hides them go on behind it.
+void joinCrossings(const OutlinePass& pass, const EdgeFinder& finder, const CreaseRow& row,
+                   const CreaseRow& above, CreaseRow& result);
 
 }  // namespace limn

@@ -4,6 +4,7 @@
 
 #include "Rendering/Base/Power.h"
 #include "Rendering/Base/ResolveTable.h"
+#include "Rendering/Vertex/ScreenToView.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,7 +74,11 @@ std::uint8_t roundedByte(float x)
 class Outlines {
  public:
   Outlines(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers, int apron)
-      : scene_(scene), frame_(frame), layers_(layers), apron_(apron)
+      : scene_(scene),
+        frame_(frame),
+        layers_(layers),
+        apron_(apron),
+        toView_(scene.camera, frame.width, frame.height)
   {
     edges_.resize(layers.size());
     right_.resize(layers.size());
@@ -791,14 +796,56 @@ class Outlines {
       };
       const auto others =
           std::stable_partition(sides.begin(), sides.end(), [&](Way way) { return !isOther(way); });
-      joinWays({sides.begin(), others}, segments_[index(p)]);
+      joinWays(p, {sides.begin(), others}, segments_[index(p)]);
       sides.erase(sides.begin(), others);
     }
   }
-  void joinWays(const std::vector<Way>& ways, std::vector<Segment>& segments) const
+  /// Coefficients of x, y and depth in the equation of what p shows, in pixels.
+  Vec3f planeInWindow(Pixel p) const
+  {
+    const Vec3f plane = layer(p).plane;
+    const float constant = dot(plane, layer(p).point.position);
+    const Mat4f& view = toView_.matrix();
+    float of[3];
+    for (int k = 0; k < 3; ++k)
+      of[k] = plane.x * view.m[0][k] + plane.y * view.m[1][k] + plane.z * view.m[2][k] -
+              constant * view.m[3][k];
+    return {of[0], of[1], of[2]};
+  }
+  /// How far the crease between p and q goes on into the square at their side, if there something
+  /// lies before it.
+  Vec2f wayBehind(Pixel p, Pixel q, Pixel side) const
+  {
+    const auto isHidden = [&](Pixel from) {
+      const Pixel to = {from.x + side.x, from.y + side.y};
+      if (!isInside(to) || layer(to).instance == kNobody) return false;
+      return layer(to).instance != layer(from).instance && neighbour(from, to).isHiding;
+    };
+    const bool isId = styleAt(p).imageOutline.ids && layer(p).id != layer(q).id;
+    if (!isCrease(p, q) || isId || !(isHidden(p) || isHidden(q))) return {0, 0};
+    if (1 - dot(layer(p).plane, layer(q).plane) <= ImageOutline::kSameNormals) return {0, 0};
+    const Vec3f of = planeInWindow(p), other = planeInWindow(q);
+    Vec2f way = {of.y * other.z - of.z * other.y, of.z * other.x - of.x * other.z};
+    const float length = std::sqrt(dot2(way, way));
+    if (!std::isfinite(length) || length == 0) return {0, 0};
+    if (way.x * static_cast<float>(side.x) + way.y * static_cast<float>(side.y) < 0)
+      way = way * -1.0f;
+    return way * ((styleAt(p).outlineWidth / 2 + 2) / length);
+  }
+  void joinWays(Pixel square, const std::vector<Way>& ways, std::vector<Segment>& segments) const
   {
     const Pixel owner = ways[0].from, beyond = ways[0].to();
-    if (ways.size() <= 2) {
+    if (ways.size() == 1) {
+      const Vec2f place = *placeOn(ways[0]);
+      // The square that the crease comes to is above or to the right of its lower left pixel's
+      // ways.
+      const bool isFirst = owner.x == square.x && owner.y == square.y;
+      const int ahead = isFirst ? 1 : -1;
+      const Pixel into = ways[0].isRight ? Pixel{0, ahead} : Pixel{ahead, 0};
+      segments.push_back({place, place + wayBehind(owner, beyond, into), owner, beyond});
+      return;
+    }
+    if (ways.size() == 2) {
       segments.push_back({*placeOn(ways.front()), *placeOn(ways.back()), owner, beyond});
       return;
     }
@@ -1080,6 +1127,7 @@ class Outlines {
   const FrameView& frame_;
   const std::vector<Layer>& layers_;
   int apron_;
+  ScreenToView toView_;
   std::vector<std::vector<Edge>> edges_;  ///< by the pixel that they run through or beside
   std::vector<std::optional<Vec2f>> right_, above_;  ///< creases towards these neighbours
   std::vector<bool> isUnited_;                       ///< had an edge that was a speck's

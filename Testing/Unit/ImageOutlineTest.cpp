@@ -254,6 +254,43 @@ TEST_P(ImageOutlines, PutCreasesInTheMiddle)
   }
 }
 
+TEST_P(ImageOutlines, RunCreasesUpToWhatHidesThem)
+{
+  // A sheet without lines before a half of the roof, at several angles to its ridge: all that it
+  // does not touch is as without it.
+  constexpr int kSide = 64;
+  for (const auto& [samples, width] : {std::pair{1, 1.5f}, {1, 6.0f}, {4, 1.5f}, {4, 3.0f}})
+    for (const double degrees : {4.0, 45.0})
+      for (const double turn : {40.0, 90.0, 115.0, 140.0}) {
+        const double c = std::cos(degrees * kPi / 180), s = std::sin(degrees * kPi / 180);
+        const Vec3d middle = {32.37, 31.81, 10}, along = {80 * c, 80 * s, 0},
+                    aside = {-60 * s, 60 * c, 0}, down = {0, 0, -40};
+        const Vec3d a = middle - along, b = middle + along;
+        const OwnedMesh roof =
+            soup({a, b, b + aside + down, a, b + aside + down, a + aside + down, b, a,
+                  a - aside + down, b, a - aside + down, b - aside + down});
+        const OwnedMesh front = halfPlane(kSide, degrees + turn, 0.3, 20);
+        Stage stage = flatStage(kSide, samples);
+        stage.view.eye.z = 40;
+        stage.view.near = 1;
+        stage.view.far = 200;
+        stage.instances = {outlined(roof, width, 1)};
+        const Picture whole = drawOverWhite(stage, GetParam());
+        stage.instances.push_back(painted(front, {1, 1, 1}, 2));
+        const Picture picture = drawOverWhite(stage, GetParam());
+        const double cosine = std::cos((degrees + turn) * kPi / 180),
+                     sine = std::sin((degrees + turn) * kPi / 180);
+        for (int y = 0; y < kSide; ++y)
+          for (int x = 0; x < kSide; ++x) {
+            const double above = (y + 0.5 - 32.3) * cosine - (x + 0.5 - 32) * sine;
+            if (above < 0.75) continue;
+            EXPECT_NEAR(at(picture, x, y).g, at(whole, x, y).g, 2)
+                << x << ", " << y << " at " << degrees << " and " << turn << ", " << samples
+                << " samples, width " << width;
+          }
+      }
+}
+
 /// Flat strips across the picture, `width` wide, with normals at `degrees` to the right of the eye,
 /// from left to right; the first and the last reach over its borders.
 OwnedMesh strips(const std::vector<double>& degrees, double width)
