@@ -13,7 +13,6 @@
 #include <atomic>
 #include <cmath>
 #include <cstring>
-#include <memory>
 #include <optional>
 
 namespace limn {
@@ -104,6 +103,13 @@ class StrokeBins {
   std::vector<std::uint32_t> first_, piece_;
 };
 
+/// A thread's own: each starts out with what its last tile left.
+StrokeTile& strokeTile()
+{
+  thread_local StrokeTile memory;
+  return memory;
+}
+
 /// The strokes of one tile, group by group.
 class TilePainter {
  public:
@@ -111,8 +117,6 @@ class TilePainter {
               TileRectangle tile)
       : plan_(plan), frame_(frame), cut_(cut), samples_(samples), tile_(tile)
   {
-    thread_local const auto memory = std::make_unique<StrokeTile>();
-    memory_ = memory.get();
     if (!wantsLinePixels(frame)) return;
     thread_local OpenSamples open;
     open_ = &open;
@@ -150,13 +154,13 @@ class TilePainter {
  private:
   void paintGroup(const StrokeGroup& group, Span<const std::uint32_t> pieces)
   {
-    memory_->clear();
+    memory_.clear();
     int x0 = kTileSide, y0 = kTileSide, x1 = 0, y1 = 0;
     for (const std::uint32_t piece : pieces) {
       const TileStroke stroke = strokeInTile(plan_.pieces[piece], tile_);
       if (stroke.x0 >= stroke.x1 || stroke.y0 >= stroke.y1) continue;
-      memory_->use(stroke.y0, stroke.y1);
-      coverStroke(stroke, *memory_);
+      memory_.use(stroke.y0, stroke.y1);
+      coverStroke(stroke, memory_);
       x0 = std::min(x0, stroke.x0);
       y0 = std::min(y0, stroke.y0);
       x1 = std::max(x1, stroke.x1);
@@ -164,9 +168,9 @@ class TilePainter {
     }
     const StrokeBlend blend(group, frame_, cut_, open_, samples_);
     for (int y = y0; y < y1; ++y) {
-      forEachCovered(memory_->coverage + y * kTileSide, x0, x1, [&](int x) {
-        const float coverage = memory_->coverage[y * kTileSide + x];
-        const float depth = memory_->depth[y * kTileSide + x];
+      forEachCovered(memory_.coverage + y * kTileSide, x0, x1, [&](int x) {
+        const float coverage = memory_.coverage[y * kTileSide + x];
+        const float depth = memory_.depth[y * kTileSide + x];
         const TilePanes::Pixel* const over =
             panes_ == nullptr ? nullptr : panesOf_[y * kTileSide + x];
         if (over == nullptr)
@@ -202,7 +206,7 @@ class TilePainter {
   const HaloCut* cut_;
   int samples_;
   TileRectangle tile_;
-  StrokeTile* memory_;
+  StrokeTile& memory_ = strokeTile();
   const TilePanes* panes_ = nullptr;
   const TilePanes::Pixel* const* panesOf_ = nullptr;  ///< by pixel; null of those without
   OpenSamples* open_ = nullptr;

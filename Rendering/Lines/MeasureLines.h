@@ -91,6 +91,7 @@ class LineMeasure {
   float outsideOf(const Pixel& pixel, const NearEdge& edge) const;
   float creaseShare(const Pixel& pixel) const;
 
+  BorderBatch batch_ = {};
   const Scene& scene_;
   const SurfaceLayers& layers_;
   const EdgeFinder& finder_;
@@ -102,8 +103,7 @@ class LineMeasure {
   std::vector<NearEdge> near_;
   std::size_t nearest_ = 0;  ///< of near_, the first whose line is nearest
   bool haveParts_ = false;   ///< some of near_ are of lines that have another surface's part, too
-  BorderBatch batch_ = {};
-  int batchEnd_;                           ///< the pixel after its last
+  int batchEnd_;             ///< the pixel after the batch's last
   bool isMeasured_[BorderBatch::kPixels];  ///< share is borderShare()
 };
 

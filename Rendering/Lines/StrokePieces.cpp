@@ -209,10 +209,10 @@ class ChainCutter {
     const double tested = segment.at(share, by);
     const int column = inside(x, frame_.width), row = inside(y, frame_.height);
     float copy[kWindow * kWindow];
-    const auto [here, stride] = depthsAt(column, row, copy);
+    const DepthRows depths = depthsAt(column, row, copy);
     const auto reaches = [&](int dx, int dy) {
-      const float* const depth = here + dy * stride + dx;
-      const double slopeX = slopeAt(depth, 1), slopeY = slopeAt(depth, stride);
+      const float* const depth = depths.here + dy * depths.stride + dx;
+      const double slopeX = slopeAt(depth, 1), slopeY = slopeAt(depth, depths.stride);
       const double alongX = x - (column + dx + 0.5), alongY = y - (row + dy + 0.5);
       const double carried = *depth + (slopeX * alongX + slopeY * alongY);
       const double bias = kSlopePixels * (std::fabs(slopeX) + std::fabs(slopeY)) + kDepthBias;
@@ -223,7 +223,7 @@ class ChainCutter {
     // Beyond the apron depths are carried farther than that reckons with.
     const bool isInPixel =
         std::fabs(x - (column + 0.5)) <= 0.5 && std::fabs(y - (row + 0.5)) <= 0.5;
-    if (isInPixel && isDeepBehind(here, stride, tested)) return false;
+    if (isInPixel && isDeepBehind(depths.here, depths.stride, tested)) return false;
     constexpr int kOrder[8][2] = {{-1, 0},  {1, 0},  {0, -1}, {0, 1},
                                   {-1, -1}, {1, -1}, {-1, 1}, {1, 1}};
     for (const auto& [dx, dy] : kOrder)
