@@ -8,6 +8,7 @@
 #include "Rendering/Mesh/EdgesAhead.h"
 #include "Rendering/Mesh/FetchPosition.h"
 #include "Rendering/Mesh/RecentValues.h"
+#include "Rendering/Mesh/VertexNormals.h"
 
 #include <algorithm>
 #include <cmath>
@@ -150,7 +151,7 @@ class ContourFinder {
     if (arrays_.normalOfVertex.empty()) return false;
     const std::uint32_t first = arrays_.normalOfVertex[edge.vertex[0]];
     const std::uint32_t second = arrays_.normalOfVertex[edge.vertex[1]];
-    return first != kNoCorner && second != kNoCorner &&
+    return first != kNoOnlyNormal && second != kNoOnlyNormal &&
            isFrontAt(first, edge.vertex[0], fronts) == isFrontAt(second, edge.vertex[1], fronts);
   }
   void fetchEnds(const MeshEdge& edge) const
