@@ -115,8 +115,9 @@ class BodyRefiner {
       if (!from_.isBroken(t))
         for (int k = 0; k < 3; ++k) {
           const std::uint32_t a = vertex(t, k), b = vertex(t, k == 2 ? 0 : k + 1);
-          const std::uint32_t na = normals_.ofCorner[3 * t + static_cast<std::size_t>(k)],
-                              nb = normals_.ofCorner[3 * t + (k == 2 ? 0u : k + 1u)];
+          const auto first = static_cast<std::size_t>(k);
+          const std::uint32_t na = normals_.ofCorner[3 * t + first],
+                              nb = normals_.ofCorner[3 * t + (first + 1) % 3];
           sides.push_back({std::min(a, b),
                            std::max(a, b),
                            3 * (t - first_) + static_cast<std::size_t>(k),
@@ -343,7 +344,7 @@ void copyBody(const WorldMesh& world, const WorldNormals& normals, std::uint32_t
   for (std::size_t t = first; t < end; ++t) {
     to.triangles.push_back(world.triangles[t]);
     to.body.push_back(body);
-    for (int k = 0; k < 3; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
       refined.normals.ofCorner.push_back(firstNormal + normals.ofCorner[3 * t + k]);
   }
   for (std::size_t e = world.firstEdge[body]; e < world.firstEdge[body + 1]; ++e) {

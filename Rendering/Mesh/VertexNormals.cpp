@@ -288,7 +288,7 @@ Status splitVertexNormals(const MeshView& mesh, Span<const std::uint32_t> cells,
   // Never empty: corners without a vertex name the first.
   split.normals.assign(std::max<std::size_t>(first[blocks], 1), Vec3f{0, 0, 0});
   parallelFor(threads, blocks, [&](std::size_t block) {
-    std::copy(normals[block].begin(), normals[block].end(), split.normals.begin() + first[block]);
+    std::copy(normals[block].begin(), normals[block].end(), split.normals.data() + first[block]);
     const std::size_t end = std::min(vertices, (block + 1) * kBlock);
     for (std::size_t v = block * kBlock; only != nullptr && v < end; ++v)
       if ((*only)[v] != kNoOnlyNormal) (*only)[v] += static_cast<std::uint32_t>(first[block]);

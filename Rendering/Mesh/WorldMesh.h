@@ -46,7 +46,10 @@ struct WorldNormals {
   std::vector<Vec3f> normals;           ///< unit, or zero
   std::vector<std::uint32_t> ofCorner;  ///< three a triangle
 
-  Vec3f at(std::size_t triangle, int k) const { return normals[ofCorner[3 * triangle + k]]; }
+  Vec3f at(std::size_t triangle, int k) const
+  {
+    return normals[ofCorner[3 * triangle + static_cast<std::size_t>(k)]];
+  }
 };
 
 /// `wantsEdges` by body. Errors: kTooManyPrimitives for 2^32 / 3 triangles and more.

@@ -45,7 +45,7 @@ void exposeRadiance(const EffectPass& pass)
   for (PaddedPlane& plane : pass.planes.image)
     plane.resize(frame.width, frame.height);
   forEachRow(pass.threads, frame.height, [&](int y) {
-    for (int channel = 0; channel < 3; ++channel) {
+    for (std::size_t channel = 0; channel < 3; ++channel) {
       PaddedPlane& plane = pass.planes.image[channel];
       const float* const in = from[channel] + y * frame.rowStride;
       float* const out = plane.row(y);

@@ -50,7 +50,7 @@ void mapTonesKernel(const PostEffects& effects, const ColorPlanes& image, int y,
     const auto count = static_cast<std::size_t>(std::min(kBlock, width - x0));
     std::memcpy(words, colors + x0, count * sizeof *words);
     for (std::size_t i = 0; i < count; i += hn::Lanes(du)) {
-      const auto at = [&](int channel)
+      const auto at = [&](std::size_t channel)
                           HWY_ATTR { return hn::LoadU(D(), image[channel].row(y) + x0 + i); };
       const auto alpha = hn::And(hn::Load(du, words + i), hn::Set(du, 0xFF000000u));
       hn::Store(hn::Or(alpha, bytesOf(toneMapped(effects, {at(0), at(1), at(2)}))), du, words + i);
