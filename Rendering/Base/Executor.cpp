@@ -23,13 +23,14 @@ namespace {
 /// Calls `work` with at most `threads` threads (0: all) for the oneTBB algorithms in it.
 void withThreads(int threads, const std::function<void()>& work)
 {
-  if (threads <= 0) {
-    work();
-    return;
-  }
   // An arena may hold more threads than the machine has cores; oneTBB makes them only when the
   // process-wide limit allows it, which the tests with 8 threads on 2 cores need.
   const int hardware = tbb::this_task_arena::max_concurrency();
+  // Threads come to an arena of their own late, each time.
+  if (threads <= 0 || threads == hardware) {
+    work();
+    return;
+  }
   std::optional<tbb::global_control> limit;
   if (threads > hardware)
     limit.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
