@@ -3,6 +3,7 @@
 //
 // Compiled once per instruction set by CompareNeighbours.cpp.
 #include "Rendering/Base/Lanes-inl.h"
+#include "Rendering/Base/Prefetch.h"
 #include "Rendering/Lines/CompareNeighbours.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -167,6 +168,19 @@ HWY_INLINE VI askedBits(const RowJob& job, VI instance, M nobody)
   return hn::IfThenZeroElse(hn::RebindMask(DI(), nobody), asked);
 }
 
+/// Begins to read what a pixel two rows above will be compared by: layers were written tile by tile,
+/// and most have left the caches since.
+HWY_INLINE void fetchAhead(const RowJob& job, const GentleTest& test, std::size_t index)
+{
+  constexpr std::size_t kPixelsPerLine = 16;
+  constexpr int kRows = 2;
+  if ((index - job.first) % kPixelsPerLine != 0 || job.y + kRows >= job.layers.endY()) return;
+  const std::size_t ahead = index + kRows * job.layers.stride();
+  prefetch(job.layers.instance.data() + ahead);
+  for (const float* values : {test.depth, test.x, test.y, test.z})
+    prefetch(values + ahead);
+}
+
 void comparePairsKernel(const RowJob& job, std::uint8_t* pairs, std::uint8_t* asks)
 {
   const auto width = job.layers.stride();
@@ -179,6 +193,7 @@ void comparePairsKernel(const RowJob& job, std::uint8_t* pairs, std::uint8_t* as
   const bool isSingle = job.samples == 1;
   for (std::size_t i = 0; i < count; i += hn::Lanes(D())) {
     const std::size_t index = first + i, over = isTop ? index : index + width;
+    fetchAhead(job, test, index);
     const VI instance = hn::LoadU(DI(), instances + index);
     const M nobody =
         hn::RebindMask(D(), hn::Or(hn::Lt(instance, hn::Zero(DI())), hn::Gt(instance, last)));
