@@ -476,6 +476,7 @@ void applyLines(const SceneSettings& settings, vtkLimnProperty& property)
   {
     property.SetCreaseAngle(*lines.creaseAngleDegrees);
   }
+  property.SetShortestCrease(lines.shortestCrease.value_or(1));
   property.SetRidgeThreshold(lines.ridgeThreshold.value_or(property.GetRidgeThreshold()));
   property.SetSuggestiveThreshold(
     lines.suggestiveThreshold.value_or(property.GetSuggestiveThreshold()));
@@ -524,6 +525,7 @@ void applyStyle(const SceneSettings& settings, const Mesh& mesh, vtkLimnProperty
   const std::optional<double> sharp = settings.material.featureAngleDegrees;
   property.SetCreaseAngle(
     lines.creaseAngleDegrees.value_or(sharp.value_or(property.GetCreaseAngle())));
+  property.SetShortestCrease(lines.shortestCrease.value_or(property.GetShortestCrease()));
   if (!sharp && !mesh.surface->GetPointData()->GetNormals())
   {
     property.SetFeatureAngle(property.GetCreaseAngle());

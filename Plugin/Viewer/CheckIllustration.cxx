@@ -214,6 +214,8 @@ void checkShownByStyle(const SceneSettings& scene)
     { "--normals", material.normals.has_value(), hasShades || isOneOf({ "ink" }) },
     { "--light", !scene.lights.empty(), hasLight },
     { "--ambient", material.ambient.has_value(), hasLight },
+    { "--shortest-crease", scene.lines.shortestCrease.has_value(),
+      !isOneOf({ "plain", "gooch", "anatomy", "xray" }) },
     { "--ambient-light", scene.ambientLight != Color{ 0, 0, 0 }, false },
   };
   for (const auto& [option, isGiven, isShown] : options)

@@ -103,6 +103,10 @@ void checkLines(const SceneSettings& scene)
   {
     throw UserError("--crease-angle needs --lines=crease, contour, hatch, terminator or shadow");
   }
+  if (lines.shortestCrease && !has(LineKind::Crease) && scene.style.empty())
+  {
+    throw UserError("--shortest-crease needs --lines=crease");
+  }
   if (lines.ridgeThreshold && !has(LineKind::Ridge) && !has(LineKind::Valley))
   {
     throw UserError("--ridge-threshold needs --lines=ridge or --lines=valley");

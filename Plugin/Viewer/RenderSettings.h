@@ -335,6 +335,7 @@ struct LineSettings
 {
   std::vector<LineKind> kinds; ///< none: no lines
   std::optional<double> creaseAngleDegrees;
+  std::optional<int> shortestCrease;  ///< edges; 1, or a style's
   std::optional<std::string> idArray; ///< cell data; the cell scalars if not given
   std::optional<Length> width;
   std::optional<double> outerWidth; ///< times the width

@@ -399,6 +399,11 @@ void addLines(OptionList& options, SceneSettings& scene)
   options.add("--crease-angle", "degrees",
     "0 to 180, between faces' normals, of creases (40; of\na style the feature angle if given)",
     into(lines.creaseAngleDegrees, parseFeatureAngle));
+  options.add("--shortest-crease", "edges",
+    "creases of fewer edges that hang together are left\n"
+    "out if none is sharper than 60 degrees (1; of a style\n8)",
+    [&lines](const std::string& option, const std::string& text)
+    { lines.shortestCrease = parseInteger(option, text, 1, 1000000); });
   options.add("--ridge-threshold", "k",
     "how much a fortieth of the model bends at ridges and\nvalleys, 0 gives all (0.1)",
     into(lines.ridgeThreshold, parseNotNegative));

@@ -397,6 +397,7 @@ void vtkLimnProperty::DeepCopy(vtkProperty* property)
   this->SetHatchWidth(other->HatchWidth);
   this->SetIdArrayName(other->IdArrayName);
   this->SetCreaseAngle(other->CreaseAngle);
+  this->SetShortestCrease(other->ShortestCrease);
   this->SetStrokeWidth(other->StrokeWidth);
   this->SetStrokeUnit(other->StrokeUnit);
   this->SetOuterWidthFactor(other->OuterWidthFactor);
@@ -524,6 +525,7 @@ void vtkLimnProperty::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HatchWidth: " << this->HatchWidth << "\n";
   os << indent << "IdArrayName: " << (this->IdArrayName ? this->IdArrayName : "(none)") << "\n";
   os << indent << "CreaseAngle: " << this->CreaseAngle << "\n";
+  os << indent << "ShortestCrease: " << this->ShortestCrease << "\n";
   os << indent << "StrokeWidth: " << this->StrokeWidth << "\n";
   os << indent << "StrokeUnit: " << this->GetStrokeUnitAsString() << "\n";
   os << indent << "OuterWidthFactor: " << this->OuterWidthFactor << "\n";

@@ -759,6 +759,17 @@ public:
 
   ///@{
   /**
+   * The fewest edges of a crease among CreaseLines: of fewer edges that hang together, with those
+   * of the other lines along edges, none is drawn, unless one is sharper than 60 degrees or of
+   * another kind, too. Rough surfaces, as scans have them, bend by more than any CreaseAngle here
+   * and there. Default: 1, which draws all.
+   */
+  vtkSetClampMacro(ShortestCrease, int, 1, VTK_INT_MAX);
+  vtkGetMacro(ShortestCrease, int);
+  ///@}
+
+  ///@{
+  /**
    * How wide lines are on the screen, whatever the distance and the tilt, in StrokeUnit: pixels, or
    * points (1/72 inch) or millimetres by the window's DPI. At most 256 pixels. Default: 1.5 pixels.
    */
@@ -1109,6 +1120,7 @@ protected:
   double HatchWidth = 0.6;
   char* IdArrayName = nullptr;
   double CreaseAngle = 40.0;
+  int ShortestCrease = 1;
   double StrokeWidth = 1.5;
   int StrokeUnit = STROKE_PIXELS;
   double OuterWidthFactor = 1.0;

@@ -52,11 +52,15 @@ void SetOwnShades(vtkLimnProperty* property, double dark)
   property->SetToneOverDataToLegendSafe();
 }
 
+/// Creases of fewer edges are bumps of rough surfaces.
+constexpr int kShortestCrease = 8;
+
 /// Contours, creases, borders, and where surfaces run into each other.
 void SetLines(vtkLimnProperty* property, const Rgb& color, double width, double outer)
 {
   property->ContourLinesOn();
   property->CreaseLinesOn();
+  property->SetShortestCrease(kShortestCrease);
   property->BorderLinesOn();
   property->IntersectionLinesOn();
   property->SetStrokeColor(color[0], color[1], color[2]);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Lines/DropShortCreases.h"
 
-#include "Rendering/Lines/Components.h"
+#include "Rendering/Base/Components.h"
 #include "Rendering/Lines/CrossingSquares.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Rendering/Mesh/EdgeTable.h"
 
+#include "Rendering/Base/Components.h"
 #include "Rendering/Base/ParallelStretches.h"
 #include "Rendering/Base/Power.h"
 #include "Rendering/Mesh/EdgesAhead.h"
@@ -125,6 +126,12 @@ class KindFinder {
         },
         [&](std::size_t e) { kinds[e] = kindsOf(e, areas); });
   }
+  /// Of an edge that is shared.
+  bool isCrease(std::size_t e) const
+  {
+    RecentAreas areas;
+    return isCrease(e, areas);
+  }
 
  private:
   struct Area {
@@ -241,6 +248,35 @@ std::vector<std::uint8_t> edgeKinds(const MeshView& mesh, const EdgeTable& table
       threads, kinds.size(), kEdgesPerTask,
       [&](std::size_t, std::size_t begin, std::size_t end) { finder.find(begin, end, kinds); });
   return kinds;
+}
+
+void dropLooseCreases(const MeshView& mesh, const EdgeTable& table, unsigned drawn,
+                      std::uint32_t fewest, std::vector<std::uint8_t>& kinds)
+{
+  if (fewest <= 1) return;
+  struct End {
+    std::uint32_t place, edge;  ///< in `edges`
+  };
+  std::vector<std::uint32_t> edges;
+  std::vector<End> ends;
+  for (std::size_t e = 0; e < kinds.size(); ++e) {
+    if ((kinds[e] & drawn) == 0) continue;
+    for (const std::uint32_t place : table.edges[e].vertex)
+      ends.push_back({place, static_cast<std::uint32_t>(edges.size())});
+    edges.push_back(static_cast<std::uint32_t>(e));
+  }
+  std::sort(ends.begin(), ends.end(), [](End a, End b) { return a.place < b.place; });
+  Components groups(edges.size());
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+    if (ends[i].place == ends[i + 1].place) groups.join(ends[i].edge, ends[i + 1].edge);
+  const KindFinder sharp(mesh, table, {}, kSharpDegrees);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (groups.sizeAt(i) >= fewest) continue;
+    if ((kinds[edges[i]] & drawn) != kCreaseEdge || sharp.isCrease(edges[i]))
+      groups.grow(i, fewest - groups.sizeAt(i));
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    if (groups.sizeAt(i) < fewest) kinds[edges[i]] &= static_cast<std::uint8_t>(~kCreaseEdge);
 }
 
 }  // namespace limn

@@ -86,4 +86,14 @@ struct FeatureArrays {
 std::vector<std::uint8_t> edgeKinds(const MeshView& mesh, const EdgeTable& table,
                                     const FeatureArrays& arrays, double creaseDegrees, int threads);
 
+/// Creases that hold together fewer edges than asked for are shown if one of these is sharper than
+/// this, as edges of solids with few faces are.
+inline constexpr double kSharpDegrees = 60;
+
+/// Edges of `drawn` kinds hang together where they share a place. Takes kCreaseEdge from the edges
+/// of groups of fewer than `fewest` edges in which all are creases and no more, of kSharpDegrees or
+/// less: on rough surfaces bends exceed any angle here and there.
+void dropLooseCreases(const MeshView& mesh, const EdgeTable& table, unsigned drawn,
+                      std::uint32_t fewest, std::vector<std::uint8_t>& kinds);
+
 }  // namespace limn

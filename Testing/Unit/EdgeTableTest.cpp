@@ -115,6 +115,58 @@ TEST(EdgeTable, AToleranceWeldsWhatIsNearButNotFarther)
   EXPECT_EQ(countOf(mesh.view(), kBorderEdge, 30, {}, 8e-4), 6u);
 }
 
+/// Two rows of squares, the second raised by an angle: creases in a row between them.
+Polyhedron foldedStrip(std::uint32_t creases, double degrees)
+{
+  const double angle = degrees * kPi / 180;
+  Polyhedron strip;
+  for (std::uint32_t x = 0; x <= creases; ++x) {
+    const auto at = static_cast<float>(x);
+    strip.positions.push_back({at, -1, 0});
+    strip.positions.push_back({at, 0, 0});
+    strip.positions.push_back(
+        {at, static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))});
+  }
+  for (std::uint32_t x = 0; x < creases; ++x)
+    for (const std::uint32_t a : {3 * x, 3 * x + 1}) {
+      strip.triangles.push_back({{a, a + 3, a + 4}});
+      strip.triangles.push_back({{a, a + 4, a + 1}});
+    }
+  return strip;
+}
+
+std::size_t creasesLeft(const Polyhedron& solid, std::uint32_t fewest, unsigned drawn = kCreaseEdge)
+{
+  const EdgeTable table = tableOf(solid.view());
+  FeatureArrays arrays;
+  arrays.cells = solid.cells;
+  auto kinds = edgeKinds(solid.view(), table, arrays, 30, 1);
+  dropLooseCreases(solid.view(), table, drawn, fewest, kinds);
+  return static_cast<std::size_t>(std::count_if(
+      kinds.begin(), kinds.end(), [](std::uint8_t kind) { return (kind & kCreaseEdge) != 0; }));
+}
+
+TEST(EdgeTable, CreasesOfFewEdgesAreLeftOut)
+{
+  const Polyhedron strip = foldedStrip(5, 45);
+  for (const std::uint32_t fewest : {0u, 1u, 5u})
+    EXPECT_EQ(creasesLeft(strip, fewest), 5u) << fewest;
+  for (const std::uint32_t fewest : {6u, 0xFFFFFFFFu})
+    EXPECT_EQ(creasesLeft(strip, fewest), 0u) << fewest;
+}
+
+TEST(EdgeTable, CreasesOfFewEdgesStayWhereTheyAreSharpOrHangAtOtherLines)
+{
+  EXPECT_EQ(creasesLeft(foldedStrip(5, 59.9), 6), 0u);
+  EXPECT_EQ(creasesLeft(foldedStrip(5, 60.1), 6), 5u);
+  EXPECT_EQ(creasesLeft(testing::tetrahedron(), 100), 6u);
+  EXPECT_EQ(creasesLeft(testing::dodecahedron(), 100), 30u);
+  EXPECT_EQ(creasesLeft(testing::icosahedron(), 31), 0u);
+  EXPECT_EQ(creasesLeft(testing::icosahedron(), 30), 30u);
+  EXPECT_EQ(creasesLeft(foldedStrip(5, 45), 0xFFFFFFFFu, kCreaseEdge | kBorderEdge), 5u)
+      << "its ends are corners of the border";
+}
+
 // vtkPolyDataSilhouette gives 16 border edges here although it is told to give none.
 TEST(EdgeTable, BordersOfAPlaneAreBordersAndNoCreases)
 {

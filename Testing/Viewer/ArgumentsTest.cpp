@@ -129,15 +129,17 @@ TEST(Arguments, ReflectionIsRead)
 
 TEST(Arguments, LinesAreKindsAndAStyle)
 {
-  const SceneSettings scene = parseRender(
-    { "--lines=crease,contour,suggestive", "--crease-angle=25", "--stroke-width=0.35mm",
-      "--dpi=300", "--outer-width=2", "--stroke-color=0.1,0.2,0.3", "--stroke-opacity=0.5",
-      "--stroke-taper=20pt", "--stroke-dash=6,3mm", "--hidden-lines=dashed" })
-                                .scene;
+  const SceneSettings scene =
+    parseRender({ "--lines=crease,contour,suggestive", "--crease-angle=25", "--shortest-crease=4",
+                  "--stroke-width=0.35mm", "--dpi=300", "--outer-width=2",
+                  "--stroke-color=0.1,0.2,0.3", "--stroke-opacity=0.5", "--stroke-taper=20pt",
+                  "--stroke-dash=6,3mm", "--hidden-lines=dashed" })
+      .scene;
   const LineSettings& lines = scene.lines;
   EXPECT_EQ(lines.kinds,
     (std::vector<LineKind>{ LineKind::Crease, LineKind::Contour, LineKind::Suggestive }));
   EXPECT_EQ(lines.creaseAngleDegrees, 25);
+  EXPECT_EQ(lines.shortestCrease, 4);
   EXPECT_EQ(lines.width->value, 0.35);
   EXPECT_EQ(lines.width->unit, 2);
   EXPECT_EQ(scene.pixelsPerInch, 300);
@@ -226,6 +228,11 @@ TEST(Arguments, LineOptionsThatWouldShowNothingAreRefused)
     { { "--hidden-lines=thin" }, "--hidden-lines needs lines; add --lines=crease or another kind" },
     { { "--lines=border", "--crease-angle=20" },
       "--crease-angle needs --lines=crease, contour, hatch, terminator or shadow" },
+    { { "--lines=border", "--shortest-crease=3" }, "--shortest-crease needs --lines=crease" },
+    { { "--lines=crease", "--shortest-crease=0" },
+      "--shortest-crease=0 is not a whole number from 1 to 1000000" },
+    { { "--style=gooch", "--shortest-crease=3" },
+      "--style=gooch does not show --shortest-crease; leave it out" },
     { { "--lines=terminator" }, "--lines=terminator needs a light beside the camera; add "
                                 "--light=directional:1,-1,-1:1,1,1" },
     { { "--lines=shadow", "--light=headlight" },

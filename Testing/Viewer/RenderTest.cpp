@@ -181,6 +181,19 @@ TEST_F(Render, AStylesCreasesAreAtTheFeatureAngle)
   }
 }
 
+// A scan bends sharply here and there; a gear has edges.
+TEST_F(Render, StylesLeaveOutShortCreases)
+{
+  const auto drawn = [this](const std::string& mesh, const std::string& edges) {
+    return draw(mesh, { "--style=print", "--shortest-crease=" + edges });
+  };
+  const std::string rock = draw("rock.ply", { "--style=print" });
+  EXPECT_NE(drawn("rock.ply", "1"), rock);
+  EXPECT_EQ(drawn("rock.ply", "8"), rock);
+  EXPECT_EQ(drawn("rock.ply", "1000000"), rock);
+  EXPECT_EQ(drawn("gear.stl", "1"), draw("gear.stl", { "--style=print" }));
+}
+
 TEST_F(Render, TheBytesDependOnTheSceneOnly)
 {
   const Words options = { "--tone=gooch", "--light=directional:-1,-1,-1:1,1,1" };

@@ -166,6 +166,7 @@ void checkPropertyCopy()
   property->SetHatchWidth(0.45);
   property->SetIdArrayName("part");
   property->SetCreaseAngle(25);
+  property->SetShortestCrease(6);
   property->SetStrokeWidth(0.35);
   property->SetStrokeUnitToMillimeters();
   property->SetOuterWidthFactor(2.5);
@@ -215,6 +216,7 @@ void checkPropertyCopy()
   CHECK_EQUAL(copy->GetOutlineDetectorAsString(), std::string("Laplacian"));
   CHECK_EQUAL(copy->GetOutlineDepthTolerance(), 1.5);
   CHECK_EQUAL(copy->GetOutlineCreaseAngle(), 25.0);
+  CHECK_EQUAL(copy->GetShortestCrease(), 6);
   CHECK_EQUAL(copy->GetOutlineCreaseDetectorAsString(), std::string("Sobel"));
   CHECK(copy->GetOutlineIds());
 

@@ -123,8 +123,9 @@ SurfaceLines::NormalsVersion SurfaceLines::normalsVersion(
 
 bool SurfaceLines::Choice::operator==(const Choice& other) const
 {
-  return kinds == other.kinds && creaseDegrees == other.creaseDegrees && ids == other.ids &&
-         idsTime == other.idsTime && normals == other.normals;
+  return kinds == other.kinds && creaseDegrees == other.creaseDegrees &&
+         shortestCrease == other.shortestCrease && ids == other.ids && idsTime == other.idsTime &&
+         normals == other.normals;
 }
 
 void SurfaceLines::releaseAllBut(vtkIdType geometry)
@@ -184,7 +185,11 @@ void SurfaceLines::updateFeatures(
     ids = numbersOf(idArray);
     arrays.ids = ids;
   }
-  const auto kinds = edgeKinds(instance.mesh, table_, arrays, choice.creaseDegrees, threads);
+  auto kinds = edgeKinds(instance.mesh, table_, arrays, choice.creaseDegrees, threads);
+  if ((choice.kinds & kCreaseEdge) != 0)
+  {
+    dropLooseCreases(instance.mesh, table_, choice.kinds, choice.shortestCrease, kinds);
+  }
   features_ = std::make_shared<const EdgeChains>(chainEdges(table_, kinds, choice.kinds));
   choice_ = choice;
 }
@@ -302,6 +307,7 @@ void SurfaceLines::addFeatures(vtkLimnProperty* property, vtkPolyData* data, con
   choice.kinds = kindsOf(property);
   vtkDataArray* const ids = property->GetIdLines() ? idArrayOf(property, data) : nullptr;
   choice.creaseDegrees = property->GetCreaseAngle();
+  choice.shortestCrease = static_cast<std::uint32_t>(property->GetShortestCrease());
   choice.ids = ids;
   choice.idsTime = ids ? ids->GetMTime() : 0;
   if (property->GetNormalLines())

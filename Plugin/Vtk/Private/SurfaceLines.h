@@ -86,6 +86,7 @@ private:
   {
     unsigned kinds = 0;
     double creaseDegrees = -1;
+    std::uint32_t shortestCrease = 1;
     const void* ids = nullptr;
     vtkMTimeType idsTime = 0;
     NormalsVersion normals; ///< those of the instance
