@@ -281,7 +281,11 @@ struct Instance {
   /// lie. Depths stay, but for kHullDepth, and where the plane of one of these triangles is deeper
   /// at the new place: then that depth, up to what the triangle's own corners differ by. So the
   /// mesh hides its hull wherever it is. What shows has the names of the instance and of the cells.
-  /// Borders of open meshes are no outline.
+  ///
+  /// Borders always lie on the outline. Their ends move likewise, those of triangles that show
+  /// their fronts, of those that show their backs, and of the edges above each by themselves; what
+  /// lies between a border and its new place is drawn, between it and its triangle where that has
+  /// moved, and at a vertex between its new places.
   const HullEdges* hull = nullptr;
   /// Drawn over the finished surfaces of all instances, in the order of instances, then sets. They
   /// write no names; their depth where they cover half of a pixel and are nearer than what is

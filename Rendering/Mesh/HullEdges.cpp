@@ -8,13 +8,19 @@
 #include "Rendering/Mesh/WeldVertices.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace limn {
 namespace {
 
 constexpr std::size_t kChunk = 1 << 14;
+
+/// Of the mesh's box: borders nearer to each other are gaps that rounding leaves, as at the poles
+/// of globes.
+constexpr double kGap = 1e-6;
 
 bool isDrawable(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
 {
@@ -27,9 +33,11 @@ bool isDrawable(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
 
 class EdgeFinder {
  public:
-  EdgeFinder(const MeshView& mesh, int threads, HullEdges& hull)
+  EdgeFinder(const MeshView& mesh, const Box& box, int threads, HullEdges& hull)
       : mesh_(mesh), threads_(threads), hull_(hull)
   {
+    const Vec3d diagonal = box.high - box.low;
+    gap_ = box.empty() ? 0 : kGap * std::sqrt(dot(diagonal, diagonal));
   }
 
   void find()
@@ -40,6 +48,7 @@ class EdgeFinder {
       for (Vec3f& normal : hull_.normal)
         normal = -normal;
     keepConvex();
+    dropGaps();
   }
 
  private:
@@ -68,10 +77,20 @@ class EdgeFinder {
                          });
   }
 
-  /// Pairs the half edges of each vertex; what is left over is counted.
+  /// Whether a triangle is there, be it without an area: its neighbours do not end at it.
+  bool isThere(std::size_t triangle) const
+  {
+    if (counts(triangle)) return true;
+    if (!isDrawable(mesh_, mesh_.triangles[triangle], hull_.origin)) return false;
+    const std::uint32_t a = vertex(3 * triangle), b = vertex(3 * triangle + 1),
+                        c = vertex(3 * triangle + 2);
+    return a != b && b != c && c != a;
+  }
+
+  /// Pairs the half edges of each vertex; what is left over is counted. Borders go with the pairs.
   void pair()
   {
-    HalfEdges halves(mesh_, hull_.weld, threads_, [this](std::size_t t) { return counts(t); });
+    HalfEdges halves(mesh_, hull_.weld, threads_, [this](std::size_t t) { return isThere(t); });
     const std::size_t vertices = mesh_.vertexCount();
     const std::size_t chunks = (vertices + kChunk - 1) / kChunk;
     pairs_.resize(chunks);
@@ -89,19 +108,27 @@ class EdgeFinder {
   {
     constexpr std::uint32_t kTaken = std::numeric_limits<std::uint32_t>::max();
     const auto isForward = [&](const HalfEdge& half) { return vertex(half.corner) == v; };
+    const auto isAlone = [&](const HalfEdge* edge) {
+      return (edge == halves.begin() || edge[-1].end != edge->end) &&
+             (edge + 1 == halves.end() || edge[1].end != edge->end);
+    };
     for (HalfEdge* edge = halves.begin(); edge != halves.end(); ++edge) {
-      if (edge->corner == kTaken) continue;
+      if (edge->corner == kTaken || !counts(edge->corner / 3)) continue;
       const bool forward = isForward(*edge);
       HalfEdge* other = edge + 1;
-      while (other != halves.end() && other->end == edge->end &&
-             (other->corner == kTaken || isForward(*other) == forward))
+      while (
+          other != halves.end() && other->end == edge->end &&
+          (other->corner == kTaken || !counts(other->corner / 3) || isForward(*other) == forward))
         ++other;
       if (other == halves.end() || other->end != edge->end) {
         ++unpaired;
+        if (isAlone(edge)) pairs.push_back({{v, edge->end}, {edge->corner / 3, edge->corner / 3}});
         continue;
       }
       const HalfEdge &there = forward ? *edge : *other, &back = forward ? *other : *edge;
-      pairs.push_back({{v, edge->end}, {there.corner / 3, back.corner / 3}});
+      // A triangle may have two corners in one place.
+      if (there.corner / 3 != back.corner / 3)
+        pairs.push_back({{v, edge->end}, {there.corner / 3, back.corner / 3}});
       other->corner = kTaken;
     }
   }
@@ -130,6 +157,7 @@ class EdgeFinder {
 
   bool isConvex(const HullEdge& edge) const
   {
+    if (isBorder(edge)) return true;
     const Vec3d a = vec3Cast<double>(hull_.normal[edge.triangle[0]]);
     const Vec3d b = vec3Cast<double>(hull_.normal[edge.triangle[1]]);
     constexpr double kFlatSine = 1e-6;  // above what rounding to float does to normals
@@ -163,9 +191,35 @@ class EdgeFinder {
       hull_.edges.insert(hull_.edges.end(), pairs.begin(), pairs.end());
   }
 
+  static bool isBorder(const HullEdge& edge) { return edge.triangle[0] == edge.triangle[1]; }
+
+  /// Leaves out borders that all but lie on another.
+  void dropGaps()
+  {
+    using Ends = std::pair<std::uint32_t, std::uint32_t>;
+    if (std::none_of(hull_.edges.begin(), hull_.edges.end(), isBorder)) return;
+    const std::vector<std::uint32_t> near = weldVertices(mesh_, gap_, threads_);
+    const auto endsOf = [&](const HullEdge& edge) {
+      return Ends(std::minmax(near[edge.vertex[0]], near[edge.vertex[1]]));
+    };
+    std::vector<Ends> borders;
+    for (const HullEdge& edge : hull_.edges)
+      if (isBorder(edge)) borders.push_back(endsOf(edge));
+    std::sort(borders.begin(), borders.end());
+    const auto isGap = [&](const HullEdge& edge) {
+      if (!isBorder(edge)) return false;
+      const Ends ends = endsOf(edge);
+      const auto [first, last] = std::equal_range(borders.begin(), borders.end(), ends);
+      return ends.first == ends.second || last - first > 1;
+    };
+    hull_.edges.erase(std::remove_if(hull_.edges.begin(), hull_.edges.end(), isGap),
+                      hull_.edges.end());
+  }
+
   const MeshView& mesh_;
   int threads_;
   HullEdges& hull_;
+  double gap_;
   std::vector<std::vector<HullEdge>> pairs_;
   std::vector<std::size_t> unpaired_;
 };
@@ -179,9 +233,10 @@ Status buildHullEdges(const MeshView& mesh, int threads, HullEdges& hull)
     return {Error::kTooManyPrimitives,
             "The mesh has too many triangles or vertices for an inverted hull; cut it into parts."};
   hull = {};
-  hull.origin = localOrigin(finiteBox(mesh, threads));
+  const Box box = finiteBox(mesh, threads);
+  hull.origin = localOrigin(box);
   hull.weld = weldVertices(mesh, 0, threads);
-  EdgeFinder(mesh, threads, hull).find();
+  EdgeFinder(mesh, box, threads, hull).find();
   return {};
 }
 

@@ -11,8 +11,9 @@
 
 namespace limn {
 
-/// An edge of two triangles that point away from each other: from some side it is the outline.
-/// Edges between coplanar triangles and in hollows are none.
+/// An edge of two triangles that point away from each other: from some side it is the outline. Or a
+/// border, whose triangle is named twice, unless another lies there but for rounding. Edges between
+/// coplanar triangles and in hollows are none.
 struct HullEdge {
   std::uint32_t vertex[2];    ///< as HullEdges::weld names them
   std::uint32_t triangle[2];  ///< the first has the edge from vertex[0] to vertex[1]
@@ -31,7 +32,7 @@ struct HullEdges {
 };
 
 /// Ensures: the same result on any number of threads (0: all). An edge of more than two triangles
-/// joins each with the first after it that has the edge the other way round.
+/// joins each with the first after it that has the edge the other way round, and has no border.
 /// Errors: kTooManyPrimitives for 2^32 / 3 triangles and more; `hull` is as it was then.
 Status buildHullEdges(const MeshView& mesh, int threads, HullEdges& hull);
 

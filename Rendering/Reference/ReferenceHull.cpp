@@ -6,6 +6,9 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace limn::reference {
 namespace {
@@ -25,6 +28,9 @@ double dot2(Normal2 a, Normal2 b)
 struct Pair {
   Normal2 a, b;
 };
+
+/// Between two triangles, or at one that shows its front, or its back.
+enum class EdgeSort { kContour, kFrontBorder, kBackBorder };
 
 /// The mesh of one instance in one view, in coordinates relative to its origin.
 class View {
@@ -56,11 +62,18 @@ class View {
     return along * along <= kSmallestSine * kSmallestSine * dot(sight, sight) ? 0.0 : along;
   }
 
+  EdgeSort sortOf(const HullEdge& edge) const
+  {
+    if (edge.triangle[0] != edge.triangle[1]) return EdgeSort::kContour;
+    return facing(edge.triangle[0]) < 0 ? EdgeSort::kFrontBorder : EdgeSort::kBackBorder;
+  }
+
   /// Of an edge with one triangle in front and one behind, or some edge on.
   std::optional<Normal2> outlineNormal(const HullEdge& edge) const
   {
     const double first = facing(edge.triangle[0]), second = facing(edge.triangle[1]);
-    if ((first > 0 && second > 0) || (first < 0 && second < 0)) return std::nullopt;
+    const bool isBetween = edge.triangle[0] != edge.triangle[1];
+    if (isBetween && ((first > 0 && second > 0) || (first < 0 && second < 0))) return std::nullopt;
     const Vec3d start = point(edge.vertex[0]);
     const Vec3d along = point(edge.vertex[1]) - start, sight = awayFromEye(start);
     // Normal of the plane through the eye and the edge, away from the triangles.
@@ -170,30 +183,39 @@ Normal2 miter(const Pair& pair)
   return {sum.x * scale, sum.y * scale};
 }
 
-/// By vertex: how many pixels those on the outline move.
-std::map<std::uint32_t, Normal2> outlineMoves(const View& view, const HullEdges& edges,
-                                              double width)
+/// A vertex as an end of edges of one sort.
+using OutlineEnd = std::pair<std::uint32_t, EdgeSort>;
+
+/// What moves on the screen.
+struct Outline {
+  std::map<OutlineEnd, Normal2> moves;  ///< in pixels
+  std::vector<HullEdge> borders;
+};
+
+Outline outlineOf(const View& view, const HullEdges& edges, double width)
 {
-  std::map<std::uint32_t, Pair> corners;
+  Outline outline;
+  std::map<OutlineEnd, Pair> corners;
   for (const HullEdge& edge : edges.edges) {
     const std::optional<Normal2> normal = view.outlineNormal(edge);
     if (!normal) continue;
+    const EdgeSort sort = view.sortOf(edge);
+    if (sort != EdgeSort::kContour) outline.borders.push_back(edge);
     for (const std::uint32_t v : edge.vertex) {
-      const auto [place, isNew] = corners.insert({v, {*normal, *normal}});
+      const auto [place, isNew] = corners.insert({{v, sort}, {*normal, *normal}});
       if (!isNew) widen(place->second, *normal);
     }
   }
-  std::map<std::uint32_t, Normal2> moves;
-  for (const auto& [vertex, pair] : corners) {
+  for (const auto& [end, pair] : corners) {
     const Normal2 move = miter(pair);
-    moves[vertex] = {width * move.x, width * move.y};
+    outline.moves[end] = {width * move.x, width * move.y};
   }
-  return moves;
+  return outline;
 }
 
 /// The triangles that are drawn, with welded vertices, by their number.
 std::map<std::uint32_t, Triangle> trianglesAtOutline(const View& view, const Instance& instance,
-                                                     const std::map<std::uint32_t, Normal2>& moves)
+                                                     const Outline& outline)
 {
   std::map<std::uint32_t, Triangle> drawn;
   for (std::uint32_t t = 0; t < instance.mesh.triangles.size(); ++t) {
@@ -202,7 +224,7 @@ std::map<std::uint32_t, Triangle> trianglesAtOutline(const View& view, const Ins
     bool isMoved = false;
     for (std::uint32_t& v : triangle.vertex) {
       v = instance.hull->weld[v];
-      isMoved = isMoved || moves.count(v) > 0;
+      isMoved = isMoved || outline.moves.count({v, EdgeSort::kContour}) > 0;
     }
     if (isMoved) drawn[t] = triangle;
   }
@@ -215,31 +237,77 @@ void makeHull(const Scene& scene, const Instance& instance, const FrameView& fra
 {
   const View view(scene, instance, frame);
   const double width = instance.style.outlineWidth;
-  std::map<std::uint32_t, Normal2> moves;
-  if (view.isInvertible() && width > 0) moves = outlineMoves(view, *instance.hull, width);
-  const auto triangles = trianglesAtOutline(view, instance, moves);
-  std::map<std::uint32_t, double> deepest;
+  Outline outline;
+  if (view.isInvertible() && width > 0) outline = outlineOf(view, *instance.hull, width);
+  const std::map<OutlineEnd, Normal2>& moves = outline.moves;
+  const auto triangles = trianglesAtOutline(view, instance, outline);
+  std::map<OutlineEnd, double> deepest;
+  const auto deepen = [&](std::uint32_t t, OutlineEnd end) {
+    if (moves.count(end) > 0)
+      deepest[end] = std::max(deepest[end], view.deepening(t, moves.at(end)));
+  };
   for (const auto& [t, triangle] : triangles)
     for (const std::uint32_t v : triangle.vertex)
-      if (moves.count(v) > 0) deepest[v] = std::max(deepest[v], view.deepening(t, moves.at(v)));
+      deepen(t, {v, EdgeSort::kContour});
+  for (const HullEdge& border : outline.borders)
+    for (const std::uint32_t v : border.vertex)
+      deepen(border.triangle[0], {v, view.sortOf(border)});
 
-  std::map<std::uint32_t, std::uint32_t> numbers;
-  for (const auto& [t, given] : triangles) {
-    Triangle triangle = given;
-    for (std::uint32_t& v : triangle.vertex) {
-      const auto [number, isNew] =
-          numbers.insert({v, static_cast<std::uint32_t>(hull.positions.size())});
-      if (isNew) {
-        const auto move = moves.find(v);
-        const bool isMoved = move != moves.end();
-        hull.positions.push_back(view.shifted(view.point(v), isMoved ? move->second : Normal2{0, 0},
-                                              2.0 * kHullDepth + (isMoved ? deepest[v] : 0.0)));
-      }
-      v = number->second;
+  std::map<OutlineEnd, std::uint32_t> numbers;
+  std::map<std::uint32_t, std::uint32_t> ownNumbers;
+  const auto addPosition = [&](Vec3d position) {
+    hull.positions.push_back(position);
+    return static_cast<std::uint32_t>(hull.positions.size() - 1);
+  };
+  const auto movedNumber = [&](OutlineEnd end) {
+    if (numbers.count(end) == 0) {
+      const auto move = moves.find(end);
+      const bool isMoved = move != moves.end();
+      numbers[end] =
+          addPosition(view.shifted(view.point(end.first), isMoved ? move->second : Normal2{0, 0},
+                                   2.0 * kHullDepth + (isMoved ? deepest[end] : 0.0)));
     }
+    return numbers[end];
+  };
+  const auto ownNumber = [&](std::uint32_t v) {
+    if (ownNumbers.count(v) == 0)
+      ownNumbers[v] = addPosition(view.shifted(view.point(v), {0, 0}, 2.0 * kHullDepth));
+    return ownNumbers[v];
+  };
+  const auto add = [&](std::uint32_t t, Triangle triangle) {
     hull.triangles.push_back(triangle);
     hull.cells.push_back(instance.attributes.cells.empty() ? t : instance.attributes.cells[t]);
+  };
+  for (const auto& [t, given] : triangles) {
+    Triangle triangle = given;
+    for (std::uint32_t& v : triangle.vertex)
+      v = movedNumber({v, EdgeSort::kContour});
+    add(t, triangle);
   }
+  // A quadrilateral of two triangles beyond each border; another up to its triangle, if that moves.
+  const auto addBeyond = [&](const HullEdge& border, EdgeSort sort) {
+    const std::uint32_t t = border.triangle[0], a = border.vertex[0], b = border.vertex[1];
+    add(t, {{ownNumber(a), ownNumber(b), movedNumber({b, sort})}});
+    add(t, {{ownNumber(a), movedNumber({b, sort}), movedNumber({a, sort})}});
+  };
+  for (const HullEdge& border : outline.borders) {
+    addBeyond(border, view.sortOf(border));
+    if (triangles.count(border.triangle[0]) > 0) addBeyond(border, EdgeSort::kContour);
+  }
+  // Where edges of two sorts meet, what lies between.
+  std::set<std::uint32_t> joined;
+  for (const HullEdge& border : outline.borders)
+    for (const std::uint32_t v : border.vertex) {
+      if (!joined.insert(v).second) continue;
+      const auto join = [&](EdgeSort first, EdgeSort second) {
+        if (moves.count({v, first}) > 0 && moves.count({v, second}) > 0)
+          add(border.triangle[0],
+              {{ownNumber(v), movedNumber({v, first}), movedNumber({v, second})}});
+      };
+      join(EdgeSort::kContour, EdgeSort::kFrontBorder);
+      join(EdgeSort::kContour, EdgeSort::kBackBorder);
+      join(EdgeSort::kFrontBorder, EdgeSort::kBackBorder);
+    }
   hull.instance.mesh = {{}, hull.positions, hull.triangles};
   hull.instance.attributes.cells = hull.cells;
   hull.instance.modelToWorld = instance.modelToWorld;

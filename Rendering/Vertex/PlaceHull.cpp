@@ -91,9 +91,17 @@ class HullPlacer {
     Vec3d xyz;
     double w;
   };
+  /// What a vertex is a corner of; each comes to lie in a place of its own. Where a border turns
+  /// from the front to the back, or becomes a contour, it may go on on the other side, so that
+  /// there is no miter for both.
+  enum Place { kHull, kFrontBorder, kBackBorder, kOwn };
+  static constexpr int kMovedPlaces = 3, kPlaces = 4;
+
   struct OutlineEdge {
     std::uint32_t vertex[2];
     Direction normal;
+    std::uint32_t border;  ///< its triangle, or kNone
+    Place place;
   };
   struct ScreenPoint {
     double x, y, depth;  ///< pixels and normalized device coordinates
@@ -141,8 +149,10 @@ class HullPlacer {
       }
     });
   }
+  static bool isBorder(const HullEdge& edge) { return edge.triangle[0] == edge.triangle[1]; }
   bool isOutline(const HullEdge& edge) const
   {
+    if (isBorder(edge)) return true;
     const Facing a = facing_[edge.triangle[0]], b = facing_[edge.triangle[1]];
     return a == Facing::kEdgeOn || b == Facing::kEdgeOn || a != b;
   }
@@ -192,22 +202,34 @@ class HullPlacer {
         const HullEdge& edge = hull_.edges[e];
         Direction normal;
         if (isOutline(edge) && findNormal(edge, normal))
-          outline[chunk].push_back({{edge.vertex[0], edge.vertex[1]}, normal});
+          outline[chunk].push_back({{edge.vertex[0], edge.vertex[1]},
+                                    normal,
+                                    isBorder(edge) ? edge.triangle[0] : kNone,
+                                    placeOf(edge)});
       }
     });
-    cornerOf_.assign(mesh_.vertexCount(), kNone);
+    for (std::vector<std::uint32_t>& corners : cornerOf_)
+      corners.assign(mesh_.vertexCount(), kNone);
     for (const std::vector<OutlineEdge>& edges : outline)
-      for (const OutlineEdge& edge : edges)
+      for (const OutlineEdge& edge : edges) {
         for (const std::uint32_t v : edge.vertex)
-          addToCorner(v, edge.normal);
+          addToCorner(v, edge);
+        if (edge.border != kNone) borders_.push_back(edge);
+      }
   }
-  void addToCorner(std::uint32_t v, Direction normal)
+  Place placeOf(const HullEdge& edge) const
   {
-    if (cornerOf_[v] == kNone) {
-      cornerOf_[v] = static_cast<std::uint32_t>(corners_.size());
-      corners_.push_back({normal, normal});
+    if (!isBorder(edge)) return kHull;
+    return facing_[edge.triangle[0]] == Facing::kFront ? kFrontBorder : kBackBorder;
+  }
+  void addToCorner(std::uint32_t v, const OutlineEdge& edge)
+  {
+    std::uint32_t& number = cornerOf_[edge.place][v];
+    if (number == kNone) {
+      number = static_cast<std::uint32_t>(corners_.size());
+      corners_.push_back({edge.normal, edge.normal});
     } else {
-      corners_[cornerOf_[v]].add(normal);
+      corners_[number].add(edge.normal);
     }
   }
   Direction pixelsOf(const Corner& corner) const
@@ -220,9 +242,10 @@ class HullPlacer {
   bool isDrawn(std::size_t t) const
   {
     if (facing_[t] != Facing::kBack && facing_[t] != Facing::kEdgeOn) return false;
-    const auto& v = mesh_.triangles[t].vertex;
-    return cornerOf_[hull_.weld[v[0]]] != kNone || cornerOf_[hull_.weld[v[1]]] != kNone ||
-           cornerOf_[hull_.weld[v[2]]] != kNone;
+    const auto& vertex = mesh_.triangles[t].vertex;
+    return std::any_of(vertex, vertex + 3, [this](std::uint32_t v) {
+      return cornerOf_[kHull][hull_.weld[v]] != kNone;
+    });
   }
 
   void listTriangles()
@@ -234,39 +257,77 @@ class HullPlacer {
         if (isDrawn(t)) drawn[chunk].push_back(static_cast<std::uint32_t>(t));
     });
     for (const std::vector<std::uint32_t>& triangles : drawn)
-      for (const std::uint32_t t : triangles)
-        deepen(t);
-    std::vector<std::uint32_t> number(mesh_.vertexCount(), kNone);
+      for (const std::uint32_t t : triangles) {
+        const auto& v = mesh_.triangles[t].vertex;
+        const std::uint32_t all[] = {hull_.weld[v[0]], hull_.weld[v[1]], hull_.weld[v[2]]};
+        deepen(t, {all, 3}, kHull);
+      }
+    for (const OutlineEdge& edge : borders_)
+      deepen(edge.border, {edge.vertex, 2}, edge.place);
+    for (std::vector<std::uint32_t>& numbers : number_)
+      numbers.assign(mesh_.vertexCount(), kNone);
     for (const std::vector<std::uint32_t>& triangles : drawn)
-      for (const std::uint32_t t : triangles)
-        addTriangle(t, number);
+      for (const std::uint32_t t : triangles) {
+        const auto& v = mesh_.triangles[t].vertex;
+        addTriangle(t, {{numberOf(hull_.weld[v[0]], kHull), numberOf(hull_.weld[v[1]], kHull),
+                         numberOf(hull_.weld[v[2]], kHull)}});
+      }
+    for (const OutlineEdge& edge : borders_) {
+      addStrip(edge, edge.place);
+      // Where the triangle itself is drawn, it begins where its own corners come to lie.
+      if (isDrawn(edge.border)) addStrip(edge, kHull);
+    }
+    std::vector<bool> isJoined(borders_.empty() ? 0 : mesh_.vertexCount());
+    for (const OutlineEdge& edge : borders_)
+      for (const std::uint32_t v : edge.vertex) {
+        if (!isJoined[v]) addJoins(v, edge.border);
+        isJoined[v] = true;
+      }
   }
 
-  void addTriangle(std::uint32_t t, std::vector<std::uint32_t>& number)
+  /// In what is drawn, where it is added if it is not there yet.
+  std::uint32_t numberOf(std::uint32_t v, Place place)
+  {
+    std::uint32_t& number = number_[place][v];
+    if (number == kNone) {
+      number = static_cast<std::uint32_t>(placed_.positions.size());
+      placed_.positions.push_back(placeOf(v, place));
+    }
+    return number;
+  }
+  void addTriangle(std::uint32_t t, Triangle triangle)
   {
     const Span<const std::uint32_t> cells = instance_.attributes.cells;
-    Triangle triangle;
-    for (int k = 0; k < 3; ++k) {
-      const std::uint32_t v = hull_.weld[mesh_.triangles[t].vertex[k]];
-      if (number[v] == kNone) {
-        number[v] = static_cast<std::uint32_t>(placed_.positions.size());
-        placed_.positions.push_back(moved(v));
-      }
-      triangle.vertex[k] = number[v];
-    }
     placed_.triangles.push_back(triangle);
     placed_.cells.push_back(cells.empty() ? t : cells[t]);
   }
-
-  /// Lets the corners of a triangle get as deep as its plane is where they come to lie, lest the
-  /// hull lie before it; but no more than the triangle is deep, which may be seen all but edge on.
-  void deepen(std::uint32_t t)
+  /// From a border to where its ends come to lie.
+  void addStrip(const OutlineEdge& edge, Place place)
   {
-    std::uint32_t vertex[3];
+    const std::uint32_t a = numberOf(edge.vertex[0], kOwn), b = numberOf(edge.vertex[1], kOwn),
+                        beyondB = numberOf(edge.vertex[1], place),
+                        beyondA = numberOf(edge.vertex[0], place);
+    addTriangle(edge.border, {{a, b, beyondB}});
+    addTriangle(edge.border, {{a, beyondB, beyondA}});
+  }
+
+  /// Between the places that a vertex comes to lie in.
+  void addJoins(std::uint32_t v, std::uint32_t border)
+  {
+    constexpr Place kMoved[] = {kHull, kFrontBorder, kBackBorder};
+    for (const Place a : kMoved)
+      for (const Place b : kMoved)
+        if (a < b && cornerOf_[a][v] != kNone && cornerOf_[b][v] != kNone)
+          addTriangle(border, {{numberOf(v, kOwn), numberOf(v, a), numberOf(v, b)}});
+  }
+
+  /// Lets corners of a triangle get as deep as its plane is where they come to lie, lest the
+  /// hull lie before it; but no more than the triangle is deep, which may be seen all but edge on.
+  void deepen(std::uint32_t t, Span<const std::uint32_t> vertices, Place place)
+  {
     ScreenPoint p[3];
     for (int k = 0; k < 3; ++k) {
-      vertex[k] = hull_.weld[mesh_.triangles[t].vertex[k]];
-      p[k] = project(vertex[k]);
+      p[k] = project(hull_.weld[mesh_.triangles[t].vertex[k]]);
       if (!p[k].isSeen) return;
     }
     const double x1 = p[1].x - p[0].x, y1 = p[1].y - p[0].y, z1 = p[1].depth - p[0].depth;
@@ -275,26 +336,27 @@ class HullPlacer {
     const double slopeX = (z1 * y2 - z2 * y1) * scale, slopeY = (x1 * z2 - x2 * z1) * scale;
     if (facing_[t] == Facing::kEdgeOn || !std::isfinite(slopeX) || !std::isfinite(slopeY)) return;
     const auto [nearest, farthest] = std::minmax({p[0].depth, p[1].depth, p[2].depth});
-    for (const std::uint32_t v : vertex) {
-      if (cornerOf_[v] == kNone) continue;
-      Corner& corner = corners_[cornerOf_[v]];
+    for (const std::uint32_t v : vertices) {
+      if (cornerOf_[place][v] == kNone) continue;
+      Corner& corner = corners_[cornerOf_[place][v]];
       const Direction pixels = pixelsOf(corner);
       const double deeper = std::min(slopeX * pixels.x + slopeY * pixels.y, farthest - nearest);
       corner.deeper = std::max(corner.deeper, deeper);
     }
   }
 
-  /// Where a vertex comes to lie: its clip coordinates change by w times the move and the depth,
-  /// and w not at all; brought back to the model's space.
-  Vec3d moved(std::uint32_t v) const
+  /// Where a vertex comes to lie, or with its hull's depth only: its clip coordinates change by w
+  /// times the move and the depth, and w not at all; brought back to the model's space.
+  Vec3d placeOf(std::uint32_t v, Place place) const
   {
     const Vec3d p = position(v);
     const double w = clipRow(3, p);
     Direction pixels = {0, 0};
     double deeper = 2.0 * kHullDepth;
-    if (cornerOf_[v] != kNone) {
-      pixels = pixelsOf(corners_[cornerOf_[v]]);
-      deeper = deeper + corners_[cornerOf_[v]].deeper;
+    if (place != kOwn && cornerOf_[place][v] != kNone) {
+      const Corner& corner = corners_[cornerOf_[place][v]];
+      pixels = pixelsOf(corner);
+      deeper = deeper + corner.deeper;
     }
     const double x = w * (pixels.x / pixelsX_), y = w * (pixels.y / pixelsY_);
     const double z = w > 0 ? w * boundedDepth(deeper, clipRow(2, p) / w) : 0.0;
@@ -341,9 +403,11 @@ class HullPlacer {
   bool isVisible_;
   Homogeneous eye_ = {};
   Vec3d right_ = {}, up_ = {};
-  std::vector<Facing> facing_;           ///< by triangle
-  std::vector<std::uint32_t> cornerOf_;  ///< by vertex: into corners_, or kNone
+  std::vector<Facing> facing_;                         ///< by triangle
+  std::vector<std::uint32_t> cornerOf_[kMovedPlaces];  ///< by vertex: into corners_, or kNone
   std::vector<Corner> corners_;
+  std::vector<OutlineEdge> borders_;            ///< of which strips are drawn
+  std::vector<std::uint32_t> number_[kPlaces];  ///< by vertex: into placed_.positions, or kNone
 };
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace limn {
 /// all stages behind know nothing of hulls.
 struct PlacedHull {
   std::vector<Vec3d> positions;
-  std::vector<Triangle> triangles;  ///< in the order of the mesh's
+  std::vector<Triangle> triangles;  ///< in the mesh's order; then of borders
   std::vector<std::uint32_t> cells;
   ClusteredMesh clusters;
   Instance instance;  ///< borrows the above

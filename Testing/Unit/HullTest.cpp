@@ -417,7 +417,15 @@ TEST_P(Hull, IsNotCutWhereTheSolidReachesTheFarPlane)
     }
 }
 
-TEST_P(Hull, DoesNotShowInAnOpenBox)
+double distance(Point2 p, Point2 a, Point2 b)
+{
+  const double x = b.x - a.x, y = b.y - a.y;
+  const double t = ((p.x - a.x) * x + (p.y - a.y) * y) / (x * x + y * y);
+  const double bounded = std::min(std::max(t, 0.0), 1.0);
+  return std::hypot(a.x + bounded * x - p.x, a.y + bounded * y - p.y);
+}
+
+TEST_P(Hull, ShowsInAnOpenBoxAtItsRimAlone)
 {
   OwnedMesh open = box({1, 1, 1});
   open.triangles.resize(10);  // without its front
@@ -426,20 +434,92 @@ TEST_P(Hull, DoesNotShowInAnOpenBox)
   Stage stage;
   stage.samples = 4;
   stage.view = perspectiveView({0, 0, 5}, {0, 0, 0}, 50);
+  std::size_t within = 0;
   for (int frame = 0; frame < 20; ++frame) {
     const Mat4d place = turned(frame * 0.05, frame * 0.04 - 0.5);
     stage.instances = {solid.surface(place)};
     const Picture without = draw(stage);
     stage.instances.push_back(solid.hull(4, place));
     const Picture with = draw(stage);
+    std::vector<Point2> rim;
+    for (const Vec3d p : {Vec3d{-1, -1, 1}, {1, -1, 1}, {1, 1, 1}, {-1, 1, 1}, {-1, -1, 1}}) {
+      const Vec3d seen = stage.project(transformPoint(place, p));
+      rim.push_back({seen.x, seen.y});
+    }
     std::size_t inked = 0;
     for (std::size_t i = 0; i < with.color.size(); ++i) {
-      if (without.coverage[i] == 15) {
-        EXPECT_EQ(with.color[i].g, 0) << "frame " << frame;
-      }
       inked += with.color[i].g > 0;
+      if (without.coverage[i] != 15 || with.color[i].g == 0) continue;
+      ++within;
+      const Point2 centre = {static_cast<double>(i % 96) + 0.5, static_cast<double>(i / 96) + 0.5};
+      double nearest = 1e9;
+      for (int k = 0; k < 4; ++k)
+        nearest = std::min(nearest, distance(centre, rim[k], rim[k + 1]));
+      // Half a pixel's diagonal, and the miter of the corners.
+      EXPECT_LT(nearest, 4 * 1.5 + 0.8) << "frame " << frame;
     }
     EXPECT_GT(inked, 100u) << frame;
+  }
+  EXPECT_GT(within, 200u) << "where a wall's front is seen its rim is before the others";
+}
+
+TEST_P(Hull, OfASheetIsAsWideAsOfASolid)
+{
+  const Solid square(sheet({-1, -0.7, 0}, {2, 0, 0}, {0, 1.4, 0}, 5));
+  for (const bool parallel : {false, true})
+    for (int frame = 0; frame < 12; ++frame) {
+      // From its front and from its back.
+      const Mat4d place = turned(0.3 * std::sin(frame), 0.15 * frame - 0.8 + (frame % 2) * kPi);
+      Stage stage;
+      stage.width = 128;
+      stage.view = parallel ? parallelView({0, 0, 5}, {0, 0, 0}, 1.7)
+                            : perspectiveView({0, 0, 5}, {0, 0, 0}, 40);
+      stage.instances = {square.surface(place), square.hull(5, place)};
+      expectOutline(stage, draw(stage), outlineOf(stage, square.mesh, place), 5);
+    }
+}
+
+TEST_P(Hull, OfASheetIsBeforeWhatIsBehind)
+{
+  // Two sheets of one mesh.
+  const std::vector<Vec3d> points = {{-1, -1, 0}, {1, -1, 0},    {1, 1, 0},     {-1, -1, 0},
+                                     {1, 1, 0},   {-1, 1, 0},    {-.5, -.5, 1}, {.5, -.5, 1},
+                                     {.5, .5, 1}, {-.5, -.5, 1}, {.5, .5, 1},   {-.5, .5, 1}};
+  const Solid sheets(soup(points));
+  Stage stage;
+  stage.view = parallelView({0, 0, 5}, {0, 0, 0}, 1.5);
+  stage.instances = {sheets.surface(), sheets.hull(4)};
+  const Picture picture = draw(stage);
+  for (int y = 0; y < 96; ++y)
+    for (int x = 0; x < 96; ++x) {
+      // 32 pixels a unit.
+      const double d = std::max(std::fabs(x + 0.5 - 48), std::fabs(y + 0.5 - 48));
+      const bool isInk = (d > 16 && d < 20) || (d > 32 && d < 36);
+      ASSERT_EQ(at(picture, x, y).g, isInk ? 255 : 0) << x << ' ' << y;
+      ASSERT_EQ(at(picture, x, y).r, !isInk && d < 32 ? 255 : 0) << x << ' ' << y;
+    }
+}
+
+// Of a bowl the outline goes over from the rim to where the surface turns away.
+TEST_P(Hull, OfABowlIsClosed)
+{
+  OwnedMesh bowl = sphere(24, 48);
+  bowl.triangles.resize(bowl.triangles.size() / 2);
+  finish(bowl);
+  const Solid solid(std::move(bowl));
+  for (int frame = 0; frame < 12; ++frame) {
+    const Mat4d place = turned(0.5 * frame, 0.3 * frame);
+    Stage stage;
+    stage.view = perspectiveView({0, 0, 5}, {0, 0, 0}, 40);
+    stage.instances = {solid.surface(place), solid.hull(4, place)};
+    const Picture picture = draw(stage);
+    for (int y = 1; y < 95; ++y)
+      for (int x = 1; x < 95; ++x) {
+        if (at(picture, x, y).r == 0) continue;
+        for (const Rgba8 beside : {at(picture, x + 1, y), at(picture, x - 1, y),
+                                   at(picture, x, y + 1), at(picture, x, y - 1)})
+          ASSERT_NE(beside.r, beside.g) << x << ' ' << y << " of frame " << frame;
+      }
   }
 }
 
@@ -537,7 +617,64 @@ TEST(HullEdgesTest, AreTheConvexEdgesOfTheSolid)
   std::vector<std::uint32_t> places = cube.mesh.hull.weld;
   std::sort(places.begin(), places.end());
   EXPECT_EQ(std::unique(places.begin(), places.end()) - places.begin(), 8);
-  EXPECT_TRUE(Solid(sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4)).mesh.hull.edges.empty());
+}
+
+std::size_t borderCount(const std::vector<HullEdge>& edges)
+{
+  return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [](HullEdge edge) {
+    return edge.triangle[0] == edge.triangle[1];
+  }));
+}
+
+TEST(HullEdgesTest, AreTheBordersOfASheet)
+{
+  const Solid square(sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4));
+  EXPECT_EQ(square.mesh.hull.edges.size(), 16u);
+  EXPECT_EQ(borderCount(square.mesh.hull.edges), 16u);
+}
+
+TEST(HullEdgesTest, HaveNoBorderBesideATriangleWithoutAreaOrOneThatIsWoundTheOtherWay)
+{
+  const Vec3d a = {0, 0, 0}, b = {2, 0, 0}, middle = {1, 0, 0}, up = {1, 1, 0}, down = {1, -1, 0};
+  const Solid split(soup({a, b, up, a, middle, b, a, down, middle, middle, down, b}));
+  EXPECT_EQ(borderCount(split.mesh.hull.edges), 4u);
+  const Solid turned(soup({a, b, up, a, b, down}));
+  EXPECT_EQ(borderCount(turned.mesh.hull.edges), 4u);
+}
+
+TEST(HullEdgesTest, HaveNoBorderWhereRoundingLeavesAGap)
+{
+  // Two squares side by side whose corners between them differ by less than a millionth of the box.
+  const auto squares = [](double gap) {
+    return Solid(soup({{0, 0, 0},
+                       {1, 0, 0},
+                       {1, 1, 0},
+                       {0, 0, 0},
+                       {1, 1, 0},
+                       {0, 1, 0},
+                       {1 + gap, 0, 0},
+                       {2, 0, 0},
+                       {2, 1, 0},
+                       {1 + gap, 0, 0},
+                       {2, 1, 0},
+                       {1 + gap, 1, 0}}));
+  };
+  EXPECT_EQ(borderCount(squares(1e-6).mesh.hull.edges), 6u);
+  EXPECT_EQ(borderCount(squares(1e-5).mesh.hull.edges), 8u);
+}
+
+TEST(HullEdgesTest, HaveNoBorderAtPolesThatRoundingDraws)
+{
+  // A fan about the points of a pole, all of them 0 but for rounding, and triangles between these.
+  std::vector<Vec3d> points;
+  constexpr int kSides = 6;
+  const auto rim = [](int i) {
+    return Vec3d{std::cos(i % kSides * kPi / 3), std::sin(i % kSides * kPi / 3), 1};
+  };
+  const auto pole = [&](int i) { return Vec3d{rim(i).x * 1e-17, rim(i).y * 1e-17, 0}; };
+  for (int i = 0; i < kSides; ++i)
+    points.insert(points.end(), {pole(i), pole(i + 1), rim(i + 1), pole(i), rim(i + 1), rim(i)});
+  EXPECT_EQ(borderCount(Solid(soup(points)).mesh.hull.edges), 6u);
 }
 
 TEST(HullEdgesTest, LeaveOutHollows)
@@ -546,7 +683,9 @@ TEST(HullEdgesTest, LeaveOutHollows)
   const std::vector<Vec3d> ridge = {{0, 0, 1},  {-1, -1, 0}, {1, -1, 0},  {0, 0, 1},  {1, -1, 0},
                                     {1, 1, 0},  {0, 0, 1},   {1, 1, 0},   {-1, 1, 0}, {0, 0, 1},
                                     {-1, 1, 0}, {-1, -1, 0}, {-1, -1, 0}, {0, -3, 0}, {1, -1, 0}};
-  EXPECT_EQ(Solid(soup(ridge)).mesh.hull.edges.size(), 4u);
+  const Solid bump(soup(ridge));
+  EXPECT_EQ(borderCount(bump.mesh.hull.edges), 5u);
+  EXPECT_EQ(bump.mesh.hull.edges.size(), 4u + 5u);
 }
 
 TEST(HullEdgesTest, AreTheSameOnAnyNumberOfThreads)
