@@ -252,7 +252,7 @@ void drawApron(const PlacedScene& scene, const TileBins& bins, std::size_t tile,
                ApronDepths& around, const LayerTarget* surfaces)
 {
   const TileRectangle pixels = bins.rectangle(tile);
-  if (surfaces != nullptr && areNear(pixels, bins.touchedWithApron)) {
+  if (surfaces != nullptr && (surfaces->isWhole || areNear(pixels, bins.touchedWithApron))) {
     SurfaceLayers& layers = surfaces->layers;
     clearLayers(pixels, layers);
     for (int y = pixels.y0; y < pixels.y1; ++y)
@@ -358,7 +358,7 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
                       RenderStats& stats)
 {
   const Stopwatch binTime;
-  const int apron = std::max(outlineApron(scene), strokeApron(scene));
+  const int apron = std::max({outlineApron(scene), haloApron(scene), strokeApron(scene)});
   const PlacedScene placed =
       placeScene(scene, {frame.width, frame.height, apron}, options.optimizations, options.threads);
   TileBins bins;
@@ -397,7 +397,7 @@ Status renderPipeline(const Scene& scene, const FrameView& frame, const RenderOp
     const PixelRectangle touched = rectangleOf(bins.touched);
     if (std::any_of(scene.instances.begin(), scene.instances.end(), hasCues))
       drawCues({scene, frame, layers->layers, touched, options.threads});
-    if (withApron != nullptr)
+    if (outlineApron(scene) > 0)
       drawImageOutlines(
           {scene, frame, layers->layers, rectangleOf(bins.touchedWithApron), options.threads});
   }

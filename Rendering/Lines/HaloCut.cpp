@@ -59,8 +59,8 @@ float HaloCut::riseAt(std::size_t owner) const
   const auto [x, y] = layers_.pixelOf(owner);
   const float own = layers_.pointAt(owner).position.z;
   float most = 0.0f;
-  for (int row = std::max(y - 1, 0); row <= std::min(y + 1, layers_.height - 1); ++row)
-    for (int column = std::max(x - 1, 0); column <= std::min(x + 1, layers_.width - 1); ++column) {
+  for (int row = y - 1; row <= y + 1; ++row)
+    for (int column = x - 1; column <= x + 1; ++column) {
       if (layers_.instance[layers_.indexOf(column, row)] != layers_.instance[owner]) continue;
       most = std::max(most, layers_.pointAt(column, row).position.z - own);
     }

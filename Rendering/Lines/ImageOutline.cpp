@@ -92,7 +92,7 @@ void beginLayers(const Scene& scene, const FrameView& frame, int apron, SurfaceL
 {
   layers.width = frame.width;
   layers.height = frame.height;
-  layers.apron = outlineApron(scene) > 0 ? apron : 0;
+  layers.apron = outlineApron(scene) > 0 || haloApron(scene) > 0 ? apron : 0;
   layers.offsets = samplePositions(scene.samples);
   layers.toView.emplace(scene.camera, frame.width, frame.height);
   const std::size_t pixels = layers.indexOf(-layers.apron, layers.endY());

@@ -16,7 +16,8 @@ struct OutlinePass {
   int threads;
 };
 
-/// Makes the layers as large as the frame and, if there are outlines, `apron` pixels around it.
+/// Makes the layers as large as the frame and, if there are outlines or halos, `apron` pixels
+/// around it.
 void beginLayers(const Scene& scene, const FrameView& frame, int apron, SurfaceLayers& layers);
 
 /// Draws the lines of Style::imageOutline over the finished picture. Gives the bytes of

@@ -103,11 +103,6 @@ void markStrokes(const Scene& scene, const TileGrid& grid, int threads, ReachMar
   }
 }
 
-float haloWidth(const Instance& instance)
-{
-  return hasCues(instance) ? instance.style.cues.halo.width : 0.0f;
-}
-
 /// A depth that nothing with a halo is before.
 float nearestHalo(const PlacedScene& scene, const TileBins& bins)
 {
@@ -128,7 +123,7 @@ void markHalos(const PlacedScene& scene, const TileBins& bins, int threads, Reac
   for (const PlacedInstance& placed : scene.instances) {
     const float width = haloWidth(*placed.instance);
     if (!(width > 0.0f)) continue;
-    const double reach = std::ceil(static_cast<double>(width)) + 1.0;
+    const double reach = haloReach(width);
     parallelForEach(threads, placed.mesh().clusters.size(), kClustersPerTask, [&](std::size_t c) {
       const ClusterBounds& box = bins.bounds[placed.firstCluster + c];
       if (!box.empty())

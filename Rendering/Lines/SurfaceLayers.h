@@ -60,7 +60,7 @@ struct SurfaceLayers {
 
   int width = 0, height = 0;  ///< of the frame
   /// Pixels around it, which have numbers below 0, and from `width` or `height` on. They have no
-  /// colours, radiance and halos.
+  /// colours, no radiance and no halos over them.
   int apron = 0;
   Span<const SampleOffset> offsets;
   std::optional<ScreenToView> toView;
@@ -174,6 +174,30 @@ inline bool hasIdBorders(const Instance& instance)
 inline bool hasCues(const Instance& instance)
 {
   return instance.style.cues.any() && instance.hull == nullptr && !instance.isTranslucent();
+}
+
+/// Of an instance's halo; 0: it has none.
+inline float haloWidth(const Instance& instance)
+{
+  return hasCues(instance) ? instance.style.cues.halo.width : 0.0f;
+}
+
+/// How many pixels away from where a surface ends its halo may be.
+inline int haloReach(float width)
+{
+  return static_cast<int>(std::ceil(width)) + 1;
+}
+
+/// How many pixels outside of a frame its halos come from.
+inline int haloApron(const Scene& scene)
+{
+  // Whether a surface ends in a pixel is told by its neighbours and theirs.
+  constexpr int kNeighbours = 2;
+  int apron = 0;
+  for (const Instance& instance : scene.instances)
+    if (const float width = haloWidth(instance); width > 0.0f)
+      apron = std::max(apron, haloReach(width) + kNeighbours);
+  return apron;
 }
 
 /// How far one layer may lie off another's plane.

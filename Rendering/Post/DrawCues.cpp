@@ -79,6 +79,7 @@ struct Cue {
 struct CueMemory {
   DistancePlane distances;
   Array<float> factor, light;  ///< by rows of paddedWidth()
+  Array<float> ofHalos;        ///< HaloFinder's
 };
 
 class CueDrawer {
@@ -89,7 +90,7 @@ class CueDrawer {
         memory_(memory),
         distances_(memory.distances),
         rowSize_(paddedWidth(pass.frame.width)),
-        halos_(pass, memory.distances)
+        halos_(pass, memory.distances, memory.ofHalos)
   {
     const auto width = static_cast<float>(pass.frame.width),
                height = static_cast<float>(pass.frame.height);
@@ -146,7 +147,8 @@ class CueDrawer {
   {
     static const std::vector<HaloFinder::Column> none;
     const std::vector<HaloFinder::Column>& borders = halos_.any() ? halos_.bordersOf(y) : none;
-    auto border = borders.begin();
+    auto border = std::find_if(borders.begin(), borders.end(),
+                               [&](const auto& one) { return one.x >= pass_.touched.x0; });
     const SurfaceLayers& layers = pass_.layers;
     for (int x = pass_.touched.x0; x < pass_.touched.x1; ++x) {
       const std::size_t index = layers.indexOf(x, y);

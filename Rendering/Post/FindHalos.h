@@ -13,7 +13,8 @@ namespace limn {
 /// Which pixels of a frame have a halo over them, and whose.
 class HaloFinder {
  public:
-  HaloFinder(const CuePass& pass, const DistancePlane& distances);
+  /// Keeps its distances in `all`.
+  HaloFinder(const CuePass& pass, const DistancePlane& distances, Array<float>& all);
 
   bool any() const { return reach_ > 0; }
   /// Fills SurfaceLayers::halo, haloOwner and ends.
@@ -26,10 +27,10 @@ class HaloFinder {
     int x;
     bool isBeforeItself;
   };
-  /// Those of a row, in their order.
+  /// Those of a row of the frame, in their order, with those of the apron on both sides.
   const std::vector<Column>& bordersOf(int y) const
   {
-    return borders_[static_cast<std::size_t>(y)];
+    return borders_[static_cast<std::size_t>(y + reach_)];
   }
   /// Of a pixel that is one of these: the share that its halo has of what its surface leaves of it,
   /// which lies behind.
@@ -41,7 +42,9 @@ class HaloFinder {
     return pass_.scene.instances[pass_.layers.instance[index]].style.cues.halo;
   }
   bool areOneSurface(std::size_t behind, std::size_t before, bool isBeforeItself) const;
-  float slopeTo(int x, int y, float distance, std::uint32_t instance) const;
+  void fillDistances(int y);
+  float distanceBeside(std::size_t index) const;
+  float slopeTo(std::size_t index, float distance, std::uint32_t instance) const;
   enum class End : std::uint8_t { kNone, kBeforeOthers, kBeforeItself };
   End endAt(int x, int y) const;
   void findBorders(int y);
@@ -50,12 +53,14 @@ class HaloFinder {
   bool isStep(std::size_t behind, std::size_t before) const;
 
   const CuePass& pass_;
-  const DistancePlane& distances_;
-  int reach_ = 0;                ///< of the widest halo, in pixels
-  bool cutsPanes_ = false;       ///< there are translucent surfaces
-  bool cutsOverNobody_ = false;  ///< lines or translucent surfaces, which may be there
-  std::vector<float> width_;     ///< by instance; 0: none
-  std::vector<std::vector<Column>> borders_;
+  const DistancePlane& inFrame_;
+  Array<float>& distance_;                    ///< by pixels of the layers: those of haloApron()
+  int reach_ = 0;                             ///< of the widest halo, in pixels
+  int apron_;                                 ///< haloApron()
+  bool cutsPanes_ = false;                    ///< there are translucent surfaces
+  bool cutsOverNobody_ = false;               ///< lines or translucent surfaces, which may be there
+  std::vector<float> width_;                  ///< by instance; 0: none
+  std::vector<std::vector<Column>> borders_;  ///< by rows of the frame and reach_ around it
 };
 
 }  // namespace limn

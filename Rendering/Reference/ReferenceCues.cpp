@@ -36,18 +36,20 @@ float exponential(float x)
 /// The mean of the distances around, by a Gaussian on blocks of pixels.
 class Blocks {
  public:
-  Blocks(const FrameView& frame, const std::vector<Layer>& layers, float sigma)
+  /// Of the frame; `layers` has so many pixels more on all sides.
+  Blocks(const FrameView& frame, const std::vector<Layer>& layers, int apron, float sigma)
       : side_(std::max(1, static_cast<int>(std::floor(sigma / 8.0f)))),
         width_((frame.width + side_ - 1) / side_),
         height_((frame.height + side_ - 1) / side_)
   {
     distance_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
     weight_.resize(distance_.size());
-    std::size_t i = 0;
     for (int y = 0; y < frame.height; ++y)
-      for (int x = 0; x < frame.width; ++x, ++i) {
-        if (layers[i].instance == kNobody) continue;
-        distance_[index(x / side_, y / side_)] += -layers[i].point.position.z;
+      for (int x = 0; x < frame.width; ++x) {
+        const int i = (y + apron) * (frame.width + 2 * apron) + x + apron;
+        const Layer& layer = layers[static_cast<std::size_t>(i)];
+        if (layer.instance == kNobody) continue;
+        distance_[index(x / side_, y / side_)] += -layer.point.position.z;
         weight_[index(x / side_, y / side_)] += 1.0f;
       }
     const float s = sigma / static_cast<float>(side_);
@@ -111,10 +113,11 @@ class Blocks {
 
 class Cues {
  public:
-  Cues(const Scene& scene, const FrameView& frame, std::vector<Layer>& layers)
+  Cues(const Scene& scene, const FrameView& frame, std::vector<Layer>& layers, int apron)
       : scene_(scene),
         frame_(frame),
         layers_(layers),
+        apron_(apron),
         borders_(layers.size()),
         halos_(layers.size()),
         cues_(layers.size())
@@ -127,12 +130,15 @@ class Cues {
   {
     for (const Instance& instance : scene_.instances)
       if (hasCues(instance) && instance.style.cues.unsharp.strength > 0)
-        blocks_.try_emplace(instance.style.cues.unsharp.radius, frame_, layers_,
+        blocks_.try_emplace(instance.style.cues.unsharp.radius, frame_, layers_, apron_,
                             instance.style.cues.unsharp.radius * diagonal_);
-    forEachPixel([&](Pixel p) {
-      borders_[index(p)] = borderAt(p);
-      layers_[index(p)].endsHere = borders_[index(p)].overOthers;
-    });
+    for (int y = -apron_; y < frame_.height + apron_; ++y)
+      for (int x = -apron_; x < frame_.width + apron_; ++x) {
+        const Pixel p = {x, y};
+        if (!isSurface(p)) continue;
+        borders_[index(p)] = borderAt(p);
+        layers_[index(p)].endsHere = borders_[index(p)].overOthers;
+      }
     for (int y = 0; y < frame_.height; ++y)
       for (int x = 0; x < frame_.width; ++x)
         findHalo({x, y});
@@ -171,6 +177,7 @@ class Cues {
     return cue;
   }
 
+  /// Of the frame, those that show something.
   template <class Visit>
   void forEachPixel(Visit visit) const
   {
@@ -180,13 +187,18 @@ class Cues {
   }
   std::size_t index(Pixel p) const
   {
-    return static_cast<std::size_t>(p.y) * static_cast<std::size_t>(frame_.width) +
-           static_cast<std::size_t>(p.x);
+    return static_cast<std::size_t>((p.y + apron_) * (frame_.width + 2 * apron_) + p.x + apron_);
   }
   const Layer& layer(Pixel p) const { return layers_[index(p)]; }
-  bool isInside(Pixel p) const
+  bool isInFrame(Pixel p) const
   {
     return p.x >= 0 && p.y >= 0 && p.x < frame_.width && p.y < frame_.height;
+  }
+  /// Of the frame and the apron.
+  bool isInside(Pixel p) const
+  {
+    return p.x >= -apron_ && p.y >= -apron_ && p.x < frame_.width + apron_ &&
+           p.y < frame_.height + apron_;
   }
   bool isSurface(Pixel p) const { return isInside(p) && layer(p).instance != kNobody; }
   const DepthCues& cuesAt(Pixel p) const
@@ -211,7 +223,7 @@ class Cues {
                       Vec2f{first.y, -first.x}, Vec2f{second.y, -second.x}}) {
       const float dx = std::nearbyint(way.x * radius), dy = std::nearbyint(way.y * radius);
       const Pixel q = {p.x + static_cast<int>(dx), p.y + static_cast<int>(dy)};
-      if (!isSurface(q)) continue;
+      if (!isInFrame(q) || !isSurface(q)) continue;
       const float step = std::max(0.0f, distance(p) - distance(q));
       sum += std::min(step * (1.0f / std::sqrt(dx * dx + dy * dy)), most);
     }
@@ -399,7 +411,8 @@ class Cues {
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
         const Pixel r = {p.x + dx, p.y + dy};
-        if (isSurface(r) && layer(r).instance == layer(p).other && distance(r) > distance(farthest))
+        if (isInFrame(r) && isSurface(r) && layer(r).instance == layer(p).other &&
+            distance(r) > distance(farthest))
           farthest = r;
       }
     return index(farthest) == index(p) ? Cue{} : cues_[index(farthest)];
@@ -450,6 +463,7 @@ class Cues {
   const Scene& scene_;
   const FrameView& frame_;
   std::vector<Layer>& layers_;
+  int apron_;
   std::vector<Border> borders_;
   std::vector<HaloAt> halos_;
   std::vector<Cue> cues_;
@@ -488,12 +502,14 @@ HaloOverPane HalosOverPanes::at(int x, int y, float depth) const
 {
   const float middleX = static_cast<float>(x) + 0.5f, middleY = static_cast<float>(y) + 0.5f;
   const float distance = -toView_.at(middleX, middleY, depth).position.z;
-  const Layer& here = layers_[static_cast<std::size_t>(y) * width_ + static_cast<std::size_t>(x)];
+  const int place = (y + apron_) * columns_ + x + apron_;
+  const Layer& here = layers_[static_cast<std::size_t>(place)];
   HaloOverPane result;
   const auto add = [&](std::size_t pixel) {
     const Layer& border = layers_[pixel];
-    const auto dx = static_cast<float>(x - static_cast<int>(pixel % width_));
-    const auto dy = static_cast<float>(y - static_cast<int>(pixel / width_));
+    const int column = static_cast<int>(pixel) % columns_, row = static_cast<int>(pixel) / columns_;
+    const auto dx = static_cast<float>(x - (column - apron_));
+    const auto dy = static_cast<float>(y - (row - apron_));
     const float beyond = std::sqrt(dx * dx + dy * dy) - (coveredShare(border) - 0.5f);
     const float width = widthOver(distance, border);
     const float share = width > 0 ? std::clamp(width + 0.5f - beyond, 0.0f, 1.0f) : 0.0f;
@@ -511,9 +527,18 @@ HaloOverPane HalosOverPanes::at(int x, int y, float depth) const
   return result;
 }
 
-void drawCues(const Scene& scene, const FrameView& frame, std::vector<Layer>& layers)
+int haloApron(const Scene& scene)
 {
-  Cues(scene, frame, layers).draw();
+  float widest = 0;
+  for (const Instance& instance : scene.instances)
+    if (hasCues(instance)) widest = std::max(widest, instance.style.cues.halo.width);
+  // A halo goes a pixel beyond its width, and how the surface that has it ends, two pixels farther.
+  return widest > 0 ? static_cast<int>(std::ceil(widest)) + 3 : 0;
+}
+
+void drawCues(const Scene& scene, const FrameView& frame, std::vector<Layer>& layers, int apron)
+{
+  Cues(scene, frame, layers, apron).draw();
 }
 
 }  // namespace limn::reference

@@ -11,9 +11,13 @@ namespace limn::reference {
 /// Whether depth cues change anything in a frame with the instance.
 bool hasCues(const Instance& instance);
 
-/// Draws the cues of Rendering/DepthCues.h, pixel after pixel. `layers` are those of all pixels,
-/// row by row; their colours change with the frame's, and they learn of the halos over them.
-void drawCues(const Scene& scene, const FrameView& frame, std::vector<Layer>& layers);
+/// How many pixels around the frame decide on the halos in it.
+int haloApron(const Scene& scene);
+
+/// Draws the cues of Rendering/DepthCues.h, pixel after pixel. `layers` are those of all pixels of
+/// the frame, whose colours change with its, and which learn of the halos over them, and of so many
+/// around it, at least haloApron(), row by row.
+void drawCues(const Scene& scene, const FrameView& frame, std::vector<Layer>& layers, int apron);
 
 /// What a halo has of a translucent surface.
 struct HaloOverPane {
@@ -21,12 +25,14 @@ struct HaloOverPane {
   Vec3f color = {0, 0, 0};
 };
 
-/// The halos over a frame, once drawCues() has found them.
+/// The halos over a frame, once drawCues() has found them, among layers of the same apron.
 class HalosOverPanes {
  public:
-  HalosOverPanes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers)
+  HalosOverPanes(const Scene& scene, const FrameView& frame, const std::vector<Layer>& layers,
+                 int apron)
       : scene_(scene),
-        width_(static_cast<std::size_t>(frame.width)),
+        columns_(frame.width + 2 * apron),
+        apron_(apron),
         layers_(layers),
         toView_(scene.camera, frame.width, frame.height)
   {
@@ -40,7 +46,7 @@ class HalosOverPanes {
   float coveredShare(const Layer& border) const;
 
   const Scene& scene_;
-  std::size_t width_;
+  int columns_, apron_;
   const std::vector<Layer>& layers_;
   ScreenToView toView_;
 };

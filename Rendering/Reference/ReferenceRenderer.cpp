@@ -357,23 +357,13 @@ class Picture {
     return truncated;
   }
 
-  /// What each pixel of the frame shows first, row by row.
+  /// What each pixel of the frame and around it shows first, row by row.
   std::vector<Layer> layersOfAll()
   {
     std::vector<Layer> result;
-    for (int y = 0; y < frame_.height; ++y)
-      for (int x = 0; x < frame_.width; ++x)
-        result.push_back(layerOf(x, y));
-    return result;
-  }
-  /// The same with those around it, the frame's as they are by now.
-  std::vector<Layer> withApron(const std::vector<Layer>& layers)
-  {
-    std::vector<Layer> result;
-    auto next = layers.begin();
     for (int y = -apron_; y < frame_.height + apron_; ++y)
       for (int x = -apron_; x < frame_.width + apron_; ++x)
-        result.push_back(isInFrame(x, y) ? *next++ : layerOf(x, y));
+        result.push_back(layerOf(x, y));
     return result;
   }
 
@@ -979,7 +969,7 @@ bool hasPanes(const Scene& scene, const FrameView& frame)
 
 std::size_t render(const Scene& scene, const FrameView& frame)
 {
-  const int apron = std::max(outlineApron(scene), strokeApron(scene));
+  const int apron = std::max({outlineApron(scene), haloApron(scene), strokeApron(scene)});
   Picture picture(scene, frame, apron);
   picture.findVisible();
   const std::size_t truncated = picture.findTranslucent();
@@ -992,9 +982,9 @@ std::size_t render(const Scene& scene, const FrameView& frame)
   });
   std::vector<Layer> layers;
   if (areCued || areOutlined) layers = picture.layersOfAll();
-  if (areCued) drawCues(scene, frame, layers);
-  if (areOutlined) drawOutlines(scene, frame, picture.withApron(layers), apron);
-  const HalosOverPanes halos(scene, frame, layers);
+  if (areCued) drawCues(scene, frame, layers, apron);
+  if (areOutlined) drawOutlines(scene, frame, layers, apron);
+  const HalosOverPanes halos(scene, frame, layers, apron);
   if (hasVeil && areCued) picture.setHalos(&halos);
   if (hasVeil) picture.layVeil();
   PanesOver panes;

@@ -568,14 +568,12 @@ class Lines {
   /// How much nearer than a pixel its neighbours of the same instance are, at most.
   float riseAt(std::size_t at) const
   {
-    const int columns = frame_.width;
-    const int x = static_cast<int>(at) % columns, y = static_cast<int>(at) / columns;
+    const int columns = frame_.width + 2 * depths_.apron;
     float rise = 0;
     for (int dy = -1; dy <= 1; ++dy)
       for (int dx = -1; dx <= 1; ++dx) {
-        const int nx = x + dx, ny = y + dy;
-        if (nx < 0 || ny < 0 || nx >= frame_.width || ny >= frame_.height) continue;
-        const Layer& near = layers_[pixel(nx, ny)];
+        const Layer& near =
+            layers_[static_cast<std::size_t>(static_cast<int>(at) + dy * columns + dx)];
         if (near.instance == layers_[at].instance)
           rise = std::max(rise, near.point.position.z - layers_[at].point.position.z);
       }
@@ -585,17 +583,19 @@ class Lines {
   /// How much of a stroke of an instance a halo takes at a pixel.
   float cutShare(int x, int y, float depth, std::uint32_t instance) const
   {
-    if (layers_.empty() || layers_[pixel(x, y)].halo == 0) return 0;
-    const Layer& under = layers_[pixel(x, y)];
+    const int apron = depths_.apron, columns = frame_.width + 2 * apron;
+    const int here = (y + apron) * columns + x + apron;
+    if (layers_.empty() || layers_[static_cast<std::size_t>(here)].halo == 0) return 0;
+    const Layer& under = layers_[static_cast<std::size_t>(here)];
     const Layer& before = layers_[under.haloOf];
     const float nearest = -before.point.position.z;
     const float centreX = static_cast<float>(x) + 0.5f, centreY = static_cast<float>(y) + 0.5f;
     const float distance = depth > 1 ? HUGE_VALF : -toView_.at(centreX, centreY, depth).position.z;
     const Halo& halo = scene_.instances[before.instance].style.cues.halo;
     const float full = halo.depth * halo.width * before.point.pixel;
-    const auto columns = static_cast<std::size_t>(frame_.width);
-    const auto dx = static_cast<float>(x - static_cast<int>(under.haloOf % columns));
-    const auto dy = static_cast<float>(y - static_cast<int>(under.haloOf / columns));
+    const auto of = static_cast<int>(under.haloOf);
+    const auto dx = static_cast<float>(x + apron - of % columns);
+    const auto dy = static_cast<float>(y + apron - of / columns);
     const float apart = std::sqrt(dx * dx + dy * dy);
     const float horizon = Halo::kHorizon * riseAt(under.haloOf) * (apart / 2 + 1);
     if (before.instance == instance && !(distance - nearest > full + horizon)) return 0;

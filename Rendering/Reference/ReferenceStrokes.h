@@ -29,9 +29,9 @@ int strokeApron(const Scene& scene);
 
 /// Instance::lines over a picture of all surfaces, by the shortest obvious scalar code: every line
 /// against every pixel of its box. The oracle for Lines/DrawStrokes. `depths` are the surfaces', of
-/// at least strokeApron(). `layers` are those of all pixels, whose halos cut what lies behind them,
-/// or empty. With `panes`, which may be empty, lines are seen behind translucent surfaces, and
-/// those of translucent instances come last.
+/// at least strokeApron(). `layers` are those of the same pixels, whose halos cut what lies behind
+/// them, or empty. With `panes`, which may be empty, lines are seen behind translucent surfaces,
+/// and those of translucent instances come last.
 void drawStrokes(const Scene& scene, const FrameView& frame, const WiderDepths& depths,
                  const std::vector<Layer>& layers, const PanesOver& panes);
 
