@@ -10,13 +10,18 @@
 #include "vtkLimnLight.h"
 #include "vtkLimnProperty.h"
 
+#include "vtkCellData.h"
+#include "vtkFloatArray.h"
 #include "vtkLight.h"
 #include "vtkMatrix4x4.h"
 #include "vtkPlane.h"
+#include "vtkPointData.h"
 #include "vtkPropCollection.h"
+#include "vtkSphereSource.h"
 #include "vtkTextActor.h"
 #include "vtkTexture.h"
 
+#include <algorithm>
 #include <array>
 #include <initializer_list>
 #include <limits>
@@ -138,6 +143,151 @@ void checkBrokenMeshes()
   data->GetPoints()->Modified();
   render(stage.Window);
   CHECK_EQUAL(messages.Count("Not all of the input is drawn"), 2);
+}
+
+vtkSmartPointer<vtkFloatArray> upwards(vtkIdType count)
+{
+  vtkSmartPointer<vtkFloatArray> normals = vtkSmartPointer<vtkFloatArray>::New();
+  normals->SetNumberOfComponents(3);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    normals->InsertNextTuple3(0, 0, 1);
+  }
+  return normals;
+}
+
+/// Each kind of what is no normal, of the flat squares' points or cells, is drawn as what it is in
+/// place of.
+void checkBrokenNormals()
+{
+  const double bad[][3] = { { std::numeric_limits<double>::quiet_NaN(), 0, 1 },
+    { 0, -std::numeric_limits<double>::infinity(), 1 }, { 0, 0, 1e30 } };
+  for (const bool isOfCells : { false, true })
+  {
+    for (const auto& broken : bad)
+    {
+      Stage stage;
+      stage.LookFlat();
+      stage.Actor->GetProperty()->LightingOn();
+      stage.Actor->GetProperty()->SetInterpolation(isOfCells ? VTK_FLAT : VTK_GOURAUD);
+      vtkSmartPointer<vtkPolyData> data = twoSquares();
+      vtkSmartPointer<vtkFloatArray> normals =
+        upwards(isOfCells ? data->GetNumberOfCells() : data->GetNumberOfPoints());
+      data->GetPointData()->SetNormals(isOfCells ? nullptr : normals.Get());
+      data->GetCellData()->SetNormals(isOfCells ? normals.Get() : nullptr);
+      stage.Mapper->SetInputData(data);
+      Messages messages;
+      const Picture whole = render(stage.Window);
+      CHECK_EQUAL(whole.CountOtherThan(Black), 800);
+      CHECK_EQUAL(messages.GetText(), "");
+
+      normals->SetTuple(1, broken);
+      normals->Modified();
+      CHECK(render(stage.Window) == whole);
+      const char* const message = isOfCells ? "Not all cell normals of the input can be used"
+                                            : "Not all point normals of the input can be used";
+      CHECK_EQUAL(messages.Count(message), 1);
+      CHECK_EQUAL(messages.Count("It is so with 1 of them."), 1);
+      stage.Renderer->GetActiveCamera()->Modified();
+      CHECK(render(stage.Window) == whole);
+      CHECK_EQUAL(messages.Count("Not all"), 1);
+
+      // Those of other points are used.
+      normals->SetTuple3(0, 1, 0, 0);
+      normals->Modified();
+      CHECK(!(render(stage.Window) == whole));
+      CHECK_EQUAL(messages.Count("Not all"), 2);
+
+      for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+      {
+        normals->SetTuple(i, broken);
+      }
+      normals->Modified();
+      CHECK(render(stage.Window) == whole);
+      CHECK_EQUAL(messages.Count("Not all"), 3);
+
+      normals->FillComponent(0, 0);
+      normals->FillComponent(1, 0);
+      normals->FillComponent(2, 1);
+      normals->Modified();
+      CHECK(render(stage.Window) == whole);
+      CHECK_EQUAL(messages.Count("Not all"), 3);
+    }
+  }
+}
+
+/// The surface's own normals follow its points.
+void checkBrokenNormalsOfChangedPoints()
+{
+  const auto draw = [](bool isBroken, bool isChanged)
+  {
+    Stage stage;
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetRadius(25);
+    sphere->SetCenter(30, 30, -40);
+    sphere->SetThetaResolution(32);
+    sphere->SetPhiResolution(32);
+    sphere->Update();
+    vtkSmartPointer<vtkPolyData> data = sphere->GetOutput();
+    vtkDataArray* const normals = data->GetPointData()->GetNormals();
+    stage.Mapper->SetInputData(data);
+    const auto change = [&]
+    {
+      for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+      {
+        const double* const p = data->GetPoint(i);
+        const double changed[] = { p[0], 30 + (p[1] - 30) / 3, p[2] };
+        data->GetPoints()->SetPoint(i, changed);
+      }
+      data->GetPoints()->Modified();
+    };
+    if (isBroken)
+    {
+      // All but one, which cannot be seen.
+      const vtkIdType last = 1;
+      for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+      {
+        normals->SetComponent(i, 0, i == last ? 0 : std::numeric_limits<double>::quiet_NaN());
+      }
+    }
+    else
+    {
+      vtkLimnProperty::SafeDownCast(stage.Actor->GetProperty())->SetVertexNormalsToByArea();
+    }
+    if (isChanged)
+    {
+      render(stage.Window);
+    }
+    change();
+    return render(stage.Window);
+  };
+  for (const bool isChanged : { false, true })
+  {
+    const Picture expected = draw(false, isChanged);
+    CHECK(expected.CountOtherThan(Black) > 400);
+    CHECK(draw(true, isChanged) == expected);
+  }
+}
+
+/// Nobody is told of normals that are not drawn.
+void checkUnseenBrokenNormals()
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  Stage stage;
+  vtkSmartPointer<vtkPolyData> data = twoSquares();
+  data->GetPoints()->InsertNextPoint(0, 0, 0);
+  data->GetPointData()->SetNormals(upwards(data->GetNumberOfPoints()));
+  data->GetCellData()->SetNormals(upwards(data->GetNumberOfCells()));
+  // A point of no triangle.
+  data->GetPointData()->GetNormals()->SetComponent(data->GetNumberOfPoints() - 1, 0, nan);
+  data->GetCellData()->GetNormals()->SetComponent(0, 0, nan);
+  stage.Mapper->SetInputData(data);
+  Messages messages;
+  render(stage.Window);
+  CHECK_EQUAL(messages.GetText(), "");
+  stage.Actor->GetProperty()->SetInterpolationToFlat();
+  render(stage.Window);
+  CHECK_EQUAL(messages.Count("Not all cell normals"), 1);
 }
 
 void checkManyBrokenMeshes()
@@ -514,6 +664,9 @@ int TestLimnWarnings(int, char*[])
   checkFeatures();
   checkOtherProps();
   checkBrokenMeshes();
+  checkBrokenNormals();
+  checkBrokenNormalsOfChangedPoints();
+  checkUnseenBrokenNormals();
   checkManyBrokenMeshes();
   checkFlattenedMeshes();
   checkLinesOfFlattenedMeshes();

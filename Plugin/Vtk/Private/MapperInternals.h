@@ -28,6 +28,12 @@ public:
   limn::bridge::MapperTextures Textures;
   limn::bridge::LegendSafeBound LegendSafeRange;
   vtkIdType LookedAtBuild = 0; ///< of which geometry what was left out was said
+  /// When the normals were modified of which was said that some cannot be used.
+  struct
+  {
+    vtkMTimeType OfPoints = 0;
+    vtkMTimeType OfCells = 0;
+  } NormalsSaid;
   /// Of a geometry whose faces have no area: whether it was said of actors without lines and of
   /// those with some.
   struct

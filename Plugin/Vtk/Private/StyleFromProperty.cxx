@@ -470,6 +470,15 @@ Style hullStyleOf(vtkProperty* property)
   return style;
 }
 
+bool readsPointNormals(vtkProperty* property)
+{
+  const int frequency = frequencyOf(property);
+  const bool isFlat = frequency == vtkLimnProperty::FREQUENCY_AS_VTK
+                        ? property->GetInterpolation() == VTK_FLAT
+                        : frequency == vtkLimnProperty::FREQUENCY_FLAT;
+  return !isFlat && normalChoiceOf(property).fromData;
+}
+
 SurfaceNeeds needsOf(vtkProperty* property)
 {
   const int frequency = frequencyOf(property);

@@ -34,6 +34,9 @@ bool hasHull(vtkProperty* property);
 /// How it wants that drawn.
 Style hullStyleOf(vtkProperty* property);
 
+/// Whether styleOf() is to shade by the data's normals of points, if there are any.
+bool readsPointNormals(vtkProperty* property);
+
 /// What styleOf() and the hull will read that is not in the data.
 SurfaceNeeds needsOf(vtkProperty* property);
 

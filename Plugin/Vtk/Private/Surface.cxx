@@ -215,6 +215,40 @@ void complainOnce(vtkLimnPolyDataMapper* mapper, Complaints& complaints)
   }
 }
 
+/// Once for each array of normals; `said` is of which it was.
+void complainOfNormals(vtkLimnPolyDataMapper* mapper, const std::string& whose,
+  SurfaceMesh::UnusableCount unusable, vtkMTimeType& said, Complaints& complaints)
+{
+  if (unusable.count == 0 || unusable.time == said)
+  {
+    return;
+  }
+  said = unusable.time;
+  complaints.add(mapper,
+    "Not all " + whose +
+      " normals of the input can be used: they are NaN, infinite or too long, and the mesh's own "
+      "are drawn in their place.",
+    " It is so with " + std::to_string(unusable.count) + " of them.");
+}
+
+/// Of those that are drawn.
+void complainOfNormals(const Surface& surface, const Instance& instance, Complaints& complaints)
+{
+  vtkLimnPolyDataMapper::vtkInternals& internals = surface.mapper->GetInternals();
+  const NormalSource source = instance.style.normals;
+  if (readsPointNormals(surface.actor->GetProperty()))
+  {
+    complainOfNormals(surface.mapper, "point", internals.Mesh.unusablePointNormals(),
+      internals.NormalsSaid.OfPoints, complaints);
+  }
+  // Triangles' are drawn where all of the cells' cannot be.
+  if (source == NormalSource::kCell || source == NormalSource::kTriangle)
+  {
+    complainOfNormals(surface.mapper, "cell", internals.Mesh.unusableCellNormals(),
+      internals.NormalsSaid.OfCells, complaints);
+  }
+}
+
 } // namespace
 
 Surface surfaceOf(vtkActor* actor, vtkLimnPolyDataMapper* mapper, bool isTranslucent)
@@ -289,6 +323,7 @@ bool describe(const Surface& surface, Instance& instance, FrameNormals& normals,
   setColors(surface.mapper, data, instance);
   boundLegendSafeRange(surface.mapper, data, instance.style);
   mesh.describe(instance);
+  complainOfNormals(surface, instance, complaints);
   setIds(surface, data, instance, normals);
   if (auto computed = mesh.computedNormals())
   {

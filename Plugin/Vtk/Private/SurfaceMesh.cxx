@@ -148,7 +148,7 @@ Status SurfaceMesh::update(
   {
     return buildStatus_;
   }
-  this->updateNormals(data);
+  this->updateNormals(data, threads);
   return this->supply(data, needs, threads);
 }
 
@@ -337,10 +337,35 @@ Status SurfaceMesh::rebuild(vtkPolyData* data, int threads)
   return buildClusters(this->view(), threads, clusters_);
 }
 
-void SurfaceMesh::updateNormals(vtkPolyData* data)
+void SurfaceMesh::updateNormals(vtkPolyData* data, int threads)
 {
   pointNormals_.update(data->GetPointData()->GetNormals(), data->GetNumberOfPoints());
   cellNormals_.update(data->GetCellData()->GetNormals(), data->GetNumberOfCells());
+  usablePointNormals_.look(this->isMoved() ? moved_->normals() : pointNormals_.span(),
+    this->isMoved() ? moved_->version() : pointNormals_.time(), threads);
+  if (usablePointNormals_.lacksOwn(geometryChanges_))
+  {
+    this->keepTriangles(data, threads);
+    usablePointNormals_.replace(
+      limn::vertexNormals(this->view(), NormalWeight::kArea), geometryChanges_);
+  }
+  usableCellNormals_.look(cellNormals_.span(), cellNormals_.time(), threads);
+  if (usableCellNormals_.lacksOwn(geometryChanges_))
+  {
+    this->keepTriangles(data, threads);
+    usableCellNormals_.replace(
+      faceGeometry(this->view(), surface_.cells, cellCount_).normal, geometryChanges_);
+  }
+}
+
+SurfaceMesh::UnusableCount SurfaceMesh::unusablePointNormals() const
+{
+  return { usablePointNormals_.replaced(), pointNormals_.time() };
+}
+
+SurfaceMesh::UnusableCount SurfaceMesh::unusableCellNormals() const
+{
+  return { this->isMoved() ? 0 : usableCellNormals_.replaced(), cellNormals_.time() };
 }
 
 MeshView SurfaceMesh::view() const
@@ -356,12 +381,12 @@ MeshView SurfaceMesh::view() const
 
 Span<const Vec3f> SurfaceMesh::givenNormals() const
 {
-  return this->isMoved() ? moved_->normals() : pointNormals_.span();
+  return usablePointNormals_.span();
 }
 
 Span<const Vec3f> SurfaceMesh::cellNormals() const
 {
-  return this->isMoved() ? Span<const Vec3f>() : cellNormals_.span();
+  return this->isMoved() ? Span<const Vec3f>() : usableCellNormals_.span();
 }
 
 void SurfaceMesh::setColors(vtkUnsignedCharArray* colors, int cellFlag)

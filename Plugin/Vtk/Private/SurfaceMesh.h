@@ -5,6 +5,7 @@
 
 #include "MovedPoints.h"
 #include "TrianglesFromPolyData.h"
+#include "UsableNormals.h"
 #include "VectorArray.h"
 
 #include "Rendering/Base/Status.h"
@@ -78,7 +79,11 @@ public:
   void describeHull(Instance& instance) const;
 
   bool isEmpty() const { return this->clusters_.triangleCount == 0; }
-  bool hasPointNormals() const { return !this->pointNormals_.span().empty(); }
+  bool hasPointNormals() const
+  {
+    // Those that moved triangles have outgrown count as well.
+    return !(this->isMoved() ? this->pointNormals_.span() : this->givenNormals()).empty();
+  }
   bool hasCellNormals() const { return !this->cellNormals().empty(); }
   vtkIdType geometryBuilds() const { return this->geometryBuilds_; }
   /// Changes of points without a build.
@@ -88,6 +93,15 @@ public:
 
   /// What had to be left out of the last geometry built, in words; empty if nothing.
   std::string complaint() const;
+  /// How many normals of the data are not drawn, as they are not finite, and when these were
+  /// modified.
+  struct UnusableCount
+  {
+    vtkIdType count = 0;
+    vtkMTimeType time = 0;
+  };
+  UnusableCount unusablePointNormals() const;
+  UnusableCount unusableCellNormals() const;
   /// Whether nothing had to be left out, and yet no face of the last geometry built has an area.
   bool isFlattened() const { return this->isFlattened_ && this->complaint().empty(); }
 
@@ -126,7 +140,7 @@ private:
   void keepTriangles(vtkPolyData* data, int threads);
   bool isKept(const NormalChoice& choice) const;
   Status computeNormals(const NormalChoice& choice, int threads);
-  void updateNormals(vtkPolyData* data);
+  void updateNormals(vtkPolyData* data, int threads);
   /// What normals at several scales are made from, the geometry apart.
   struct SmoothVersion
   {
@@ -162,6 +176,8 @@ private:
 
   VectorArray pointNormals_;
   VectorArray cellNormals_;
+  UsableNormals usablePointNormals_; ///< moved ones, where points are moved
+  UsableNormals usableCellNormals_;
   struct Computed
   {
     NormalChoice choice;

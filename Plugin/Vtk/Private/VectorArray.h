@@ -23,6 +23,8 @@ public:
   /// copy is made only if the array is another one or was modified.
   void update(vtkDataArray* array, vtkIdType tuples);
   Span<const Vec3f> span() const { return this->span_; }
+  /// When the array was modified last, as update() saw it; 0 if there is none.
+  vtkMTimeType time() const { return this->time_; }
 
 private:
   vtkSmartPointer<vtkDataArray> array_;
