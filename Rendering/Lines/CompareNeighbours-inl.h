@@ -168,8 +168,8 @@ HWY_INLINE VI askedBits(const RowJob& job, VI instance, M nobody)
   return hn::IfThenZeroElse(hn::RebindMask(DI(), nobody), asked);
 }
 
-/// Begins to read what a pixel two rows above will be compared by: layers were written tile by tile,
-/// and most have left the caches since.
+/// Begins to read what a pixel two rows above will be compared by: layers are written tile by tile,
+/// and most have left the caches.
 HWY_INLINE void fetchAhead(const RowJob& job, const GentleTest& test, std::size_t index)
 {
   constexpr std::size_t kPixelsPerLine = 16;
