@@ -11,7 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <utility>
+#include <tuple>
 
 namespace limn {
 namespace {
@@ -30,6 +30,94 @@ bool isDrawable(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
       return false;
   return true;
 }
+
+struct Border {
+  std::uint32_t end[2];  ///< places
+};
+
+/// Finds borders that others lie along: from a place that they share up to the next one, whatever
+/// the places between.
+class Seams {
+ public:
+  Seams(const MeshView& mesh, double gap, Span<const Border> borders)
+      : mesh_(mesh), gap_(gap), isCovered_(borders.size())
+  {
+    for (std::size_t b = 0; b < borders.size(); ++b)
+      for (int k = 0; k < 2; ++k)
+        ways_.push_back({borders[b].end[k], borders[b].end[1 - k], b});
+    std::sort(ways_.begin(), ways_.end(), [](const Way& a, const Way& b) {
+      return std::tie(a.from, a.to, a.border) < std::tie(b.from, b.to, b.border);
+    });
+  }
+
+  /// By border.
+  std::vector<bool> covered()
+  {
+    for (std::size_t i = 0; i < ways_.size(); ++i) {
+      if (ways_[i].from == ways_[i].to) isCovered_[ways_[i].border] = true;
+      for (std::size_t k = i + 1; k < ways_.size() && ways_[k].from == ways_[i].from; ++k)
+        if (ways_[k].border != ways_[i].border) follow(ways_[i], ways_[k]);
+    }
+    return isCovered_;
+  }
+
+ private:
+  struct Way {
+    std::uint32_t from, to;
+    std::size_t border;
+  };
+  /// Along which ways are followed.
+  struct Line {
+    Vec3d start, along;  ///< of unit length
+  };
+
+  Vec3d placeOf(std::uint32_t v) const { return mesh_.position(v); }
+  /// How far along the line a place is, or less than nothing if it is beside it.
+  double distance(const Line& line, std::uint32_t v) const
+  {
+    const Vec3d way = placeOf(v) - line.start;
+    const double along = dot(way, line.along);
+    const Vec3d aside = way - line.along * along;
+    return dot(aside, aside) <= gap_ * gap_ ? along : -1;
+  }
+
+  /// Two ways from one place, by turns, until they meet.
+  void follow(const Way& first, const Way& second)
+  {
+    const Vec3d start = placeOf(first.from);
+    const Vec3d a = placeOf(first.to) - start, b = placeOf(second.to) - start;
+    const Line line = {start, normalized(dot(a, a) > dot(b, b) ? a : b)};
+    std::uint32_t at[2] = {first.to, second.to};
+    double reached[2] = {distance(line, at[0]), distance(line, at[1])};
+    if (!(reached[0] > gap_ && reached[1] > gap_)) return;
+    std::vector<std::size_t> met = {first.border, second.border};
+    while (at[0] != at[1]) {
+      const int behind = reached[0] < reached[1] ? 0 : 1;
+      const Way* const next = onward(line, at[behind], reached[behind]);
+      if (next == nullptr) return;
+      met.push_back(next->border);
+      at[behind] = next->to;
+      reached[behind] = distance(line, next->to);
+    }
+    for (const std::size_t border : met)
+      isCovered_[border] = true;
+  }
+  /// Where a line goes on from a place, or null.
+  const Way* onward(const Line& line, std::uint32_t from, double reached) const
+  {
+    const auto begin =
+        std::lower_bound(ways_.begin(), ways_.end(), from,
+                         [](const Way& way, std::uint32_t place) { return way.from < place; });
+    for (auto way = begin; way != ways_.end() && way->from == from; ++way)
+      if (distance(line, way->to) > reached + gap_) return &*way;
+    return nullptr;
+  }
+
+  const MeshView& mesh_;
+  double gap_;
+  std::vector<bool> isCovered_;
+  std::vector<Way> ways_;  ///< of each border both, by where they come from
+};
 
 class EdgeFinder {
  public:
@@ -193,27 +281,20 @@ class EdgeFinder {
 
   static bool isBorder(const HullEdge& edge) { return edge.triangle[0] == edge.triangle[1]; }
 
-  /// Leaves out borders that all but lie on another.
+  /// Leaves out borders that all but lie on others.
   void dropGaps()
   {
-    using Ends = std::pair<std::uint32_t, std::uint32_t>;
+    std::vector<Border> borders;
     if (std::none_of(hull_.edges.begin(), hull_.edges.end(), isBorder)) return;
     const std::vector<std::uint32_t> near = weldVertices(mesh_, gap_, threads_);
-    const auto endsOf = [&](const HullEdge& edge) {
-      return Ends(std::minmax(near[edge.vertex[0]], near[edge.vertex[1]]));
-    };
-    std::vector<Ends> borders;
     for (const HullEdge& edge : hull_.edges)
-      if (isBorder(edge)) borders.push_back(endsOf(edge));
-    std::sort(borders.begin(), borders.end());
-    const auto isGap = [&](const HullEdge& edge) {
-      if (!isBorder(edge)) return false;
-      const Ends ends = endsOf(edge);
-      const auto [first, last] = std::equal_range(borders.begin(), borders.end(), ends);
-      return ends.first == ends.second || last - first > 1;
-    };
-    hull_.edges.erase(std::remove_if(hull_.edges.begin(), hull_.edges.end(), isGap),
-                      hull_.edges.end());
+      if (isBorder(edge)) borders.push_back({near[edge.vertex[0]], near[edge.vertex[1]]});
+    const std::vector<bool> areCovered = Seams(mesh_, gap_, borders).covered();
+    std::size_t next = 0;
+    hull_.edges.erase(
+        std::remove_if(hull_.edges.begin(), hull_.edges.end(),
+                       [&](const HullEdge& edge) { return isBorder(edge) && areCovered[next++]; }),
+        hull_.edges.end());
   }
 
   const MeshView& mesh_;

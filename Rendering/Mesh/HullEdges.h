@@ -12,8 +12,8 @@
 namespace limn {
 
 /// An edge of two triangles that point away from each other: from some side it is the outline. Or a
-/// border, whose triangle is named twice, unless another lies there but for rounding. Edges between
-/// coplanar triangles and in hollows are none.
+/// border, whose triangle is named twice, unless others lie all along it but for rounding. Edges
+/// between coplanar triangles and in hollows are none.
 struct HullEdge {
   std::uint32_t vertex[2];    ///< as HullEdges::weld names them
   std::uint32_t triangle[2];  ///< the first has the edge from vertex[0] to vertex[1]

@@ -663,6 +663,45 @@ TEST(HullEdgesTest, HaveNoBorderWhereRoundingLeavesAGap)
   EXPECT_EQ(borderCount(squares(1e-5).mesh.hull.edges), 8u);
 }
 
+TEST(HullEdgesTest, HaveNoBorderAlongASeamWhosePointsDiffer)
+{
+  // Two strips of so many squares side by side; the sides of the seam need not share a point.
+  const auto strips = [](int left, int right) {
+    std::vector<Vec3d> points;
+    const auto add = [&points](int count, double x) {
+      for (int i = 0; i < count; ++i) {
+        const double y0 = static_cast<double>(i) / count, y1 = static_cast<double>(i + 1) / count;
+        points.insert(
+            points.end(),
+            {{x, y0, 0}, {x + 1, y0, 0}, {x + 1, y1, 0}, {x, y0, 0}, {x + 1, y1, 0}, {x, y1, 0}});
+      }
+    };
+    add(left, 0);
+    add(right, 1);
+    return borderCount(Solid(soup(points)).mesh.hull.edges);
+  };
+  EXPECT_EQ(strips(1, 4), 1u + 4u + 4u);
+  EXPECT_EQ(strips(2, 3), 2u + 3u + 4u);
+  EXPECT_EQ(strips(5, 5), 5u + 5u + 4u);
+  EXPECT_EQ(strips(7, 12), 7u + 12u + 4u);
+}
+
+TEST(HullEdgesTest, HaveBordersBesideAWiderOpening)
+{
+  // A triangle beyond half of a square's side.
+  EXPECT_EQ(borderCount(Solid(soup({{0, 0, 0},
+                                    {1, 0, 0},
+                                    {1, 1, 0},
+                                    {0, 0, 0},
+                                    {1, 1, 0},
+                                    {0, 1, 0},
+                                    {1, 0, 0},
+                                    {2, 0, 0},
+                                    {1, 0.5, 0}}))
+                            .mesh.hull.edges),
+            7u);
+}
+
 TEST(HullEdgesTest, HaveNoBorderAtPolesThatRoundingDraws)
 {
   // A fan about the points of a pole, all of them 0 but for rounding, and triangles between these.
