@@ -487,9 +487,9 @@ public:
    * surface's border. Hull: a line outside of the surface, OutlineWidth pixels wide at any
    * distance, tilt and shape of window, around it and along the contours before other parts of it,
    * mitred at corners: the faces that look away are drawn once more, their outer corners moved out
-   * on the screen, and so is what lies beyond borders. For surfaces whose faces are wound alike:
-   * elsewhere the line has gaps. Points in the same place count as one. Picking takes what the line covers. Image: a line inside of
-   * the surface's borders and steps, and along its creases, found in the finished picture by
+   * on the screen, and so is what lies beyond borders. Points in the same place count as one, and
+   * neighbours as wound alike. Picking takes what the line covers. Image: a line inside of the
+   * surface's borders and steps, and along its creases, found in the finished picture by
    * OutlineDetector. Default: None.
    */
   vtkSetClampMacro(Outline, int, OUTLINE_NONE, OUTLINE_IMAGE);

@@ -119,6 +119,49 @@ class Seams {
   std::vector<Way> ways_;  ///< of each border both, by where they come from
 };
 
+/// Triangles that hang together, and which of them are turned against the first.
+class TurnedParts {
+ public:
+  struct Member {
+    std::size_t root;
+    bool isTurned;  ///< against the root
+  };
+
+  explicit TurnedParts(std::size_t count) : parent_(count), isTurned_(count)
+  {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  /// Nothing changes where they hang together already.
+  void join(std::size_t a, std::size_t b, bool areUnlike)
+  {
+    Member first = at(a), second = at(b);
+    if (first.root == second.root) return;
+    if (first.root > second.root) std::swap(first, second);
+    parent_[second.root] = static_cast<std::uint32_t>(first.root);
+    isTurned_[second.root] = (first.isTurned != second.isTurned) != areUnlike;
+  }
+  Member at(std::size_t i)
+  {
+    Member found = {i, false};
+    for (; parent_[found.root] != found.root; found.root = parent_[found.root])
+      found.isTurned = found.isTurned != isTurned_[found.root];
+    // Those on the way find it at once from now on.
+    for (bool isTurned = found.isTurned; i != found.root;) {
+      const std::size_t next = parent_[i];
+      const bool before = isTurned_[i];
+      parent_[i] = static_cast<std::uint32_t>(found.root);
+      isTurned_[i] = isTurned;
+      isTurned = isTurned != before;
+      i = next;
+    }
+    return found;
+  }
+
+ private:
+  std::vector<std::uint32_t> parent_;
+  std::vector<bool> isTurned_;  ///< against the parent
+};
+
 class EdgeFinder {
  public:
   EdgeFinder(const MeshView& mesh, const Box& box, int threads, HullEdges& hull)
@@ -132,6 +175,7 @@ class EdgeFinder {
   {
     findNormals();
     pair();
+    if (isMixed() && orient()) pair();
     if (isClosed() && volume() < 0)
       for (Vec3f& normal : hull_.normal)
         normal = -normal;
@@ -181,21 +225,24 @@ class EdgeFinder {
     HalfEdges halves(mesh_, hull_.weld, threads_, [this](std::size_t t) { return isThere(t); });
     const std::size_t vertices = mesh_.vertexCount();
     const std::size_t chunks = (vertices + kChunk - 1) / kChunk;
-    pairs_.resize(chunks);
+    pairs_.assign(chunks, {});
     unpaired_.assign(chunks, 0);
+    unlike_.assign(chunks, 0);
     parallelForStretches(threads_, vertices, kChunk,
                          [&](std::size_t chunk, std::size_t begin, std::size_t end) {
                            for (std::size_t v = begin; v < end; ++v)
                              pairAt(static_cast<std::uint32_t>(v), halves.sorted(v), pairs_[chunk],
-                                    unpaired_[chunk]);
+                                    unpaired_[chunk], unlike_[chunk]);
                          });
   }
 
   void pairAt(std::uint32_t v, Span<HalfEdge> halves, std::vector<HullEdge>& pairs,
-              std::size_t& unpaired) const
+              std::size_t& unpaired, std::size_t& unlike) const
   {
     constexpr std::uint32_t kTaken = std::numeric_limits<std::uint32_t>::max();
-    const auto isForward = [&](const HalfEdge& half) { return vertex(half.corner) == v; };
+    const auto isForward = [&](const HalfEdge& half) {
+      return (vertex(half.corner) == v) != isTurned(half.corner / 3);
+    };
     const auto isAlone = [&](const HalfEdge* edge) {
       return (edge == halves.begin() || edge[-1].end != edge->end) &&
              (edge + 1 == halves.end() || edge[1].end != edge->end);
@@ -210,7 +257,10 @@ class EdgeFinder {
         ++other;
       if (other == halves.end() || other->end != edge->end) {
         ++unpaired;
-        if (isAlone(edge)) pairs.push_back({{v, edge->end}, {edge->corner / 3, edge->corner / 3}});
+        if (isAlone(edge))
+          pairs.push_back({{v, edge->end}, {edge->corner / 3, edge->corner / 3}});
+        else
+          ++unlike;
         continue;
       }
       const HalfEdge &there = forward ? *edge : *other, &back = forward ? *other : *edge;
@@ -221,9 +271,76 @@ class EdgeFinder {
     }
   }
 
+  bool isTurned(std::size_t triangle) const { return !isTurned_.empty() && isTurned_[triangle]; }
+
+  /// Whether there may be neighbours that are not wound alike.
+  bool isMixed() const
+  {
+    return std::any_of(unlike_.begin(), unlike_.end(), [](std::size_t n) { return n > 0; });
+  }
+
+  /// Turns triangles over so that neighbours at edges of two are wound alike, as far as there is a
+  /// way: closed parts outward, others as most of their triangles are. False if all stay.
+  bool orient()
+  {
+    const std::size_t count = mesh_.triangles.size();
+    TurnedParts parts(count);
+    std::vector<bool> isMixed(count), isOpen(count);
+    HalfEdges halves(mesh_, hull_.weld, threads_, [this](std::size_t t) { return isThere(t); });
+    for (std::uint32_t v = 0; v < mesh_.vertexCount(); ++v) {
+      const Span<HalfEdge> all = halves.sorted(v);
+      for (const HalfEdge *first = all.begin(), *end; first != all.end(); first = end) {
+        end = std::find_if(first, static_cast<const HalfEdge*>(all.end()),
+                           [&](const HalfEdge& half) { return half.end != first->end; });
+        const std::size_t a = first->corner / 3, b = end[-1].corner / 3;
+        if (end - first != 2 || a == b || !counts(a) || !counts(b)) {
+          for (const HalfEdge* half = first; half != end; ++half)
+            isOpen[half->corner / 3] = true;
+          continue;
+        }
+        const bool isUnlike = (vertex(first->corner) == v) == (vertex(end[-1].corner) == v);
+        parts.join(a, b, isUnlike);
+        if (isUnlike) isMixed[a] = true;
+      }
+    }
+    struct Part {
+      double volume = 0;
+      std::int64_t turned = 0;  ///< more of its triangles than not
+      bool isMixed = false, isOpen = false;
+    };
+    std::vector<Part> partAt(count);  // by its root
+    for (std::size_t t = 0; t < count; ++t) {
+      const TurnedParts::Member member = parts.at(t);
+      Part& part = partAt[member.root];
+      part.volume += member.isTurned ? -volumeBelow(t) : volumeBelow(t);
+      part.turned += member.isTurned ? 1 : -1;
+      part.isMixed = part.isMixed || isMixed[t];
+      part.isOpen = part.isOpen || isOpen[t];
+    }
+    isTurned_.assign(count, false);
+    bool isAny = false;
+    for (std::size_t t = 0; t < count; ++t) {
+      const TurnedParts::Member member = parts.at(t);
+      const Part& part = partAt[member.root];
+      const bool isWrong = part.isOpen ? part.turned > 0 : part.volume < 0;
+      if (!part.isMixed || member.isTurned == isWrong) continue;
+      isTurned_[t] = isAny = true;
+      hull_.normal[t] = -hull_.normal[t];
+    }
+    return isAny;
+  }
+
   bool isClosed() const
   {
     return std::all_of(unpaired_.begin(), unpaired_.end(), [](std::size_t n) { return n == 0; });
+  }
+
+  /// Six times that of the tetrahedron between a triangle and the origin.
+  double volumeBelow(std::size_t triangle) const
+  {
+    if (!counts(triangle)) return 0;
+    const auto& v = mesh_.triangles[triangle].vertex;
+    return dot(position(v[0]), cross(position(v[1]), position(v[2])));
   }
 
   /// Six times what the mesh encloses.
@@ -235,8 +352,7 @@ class EdgeFinder {
                            double sum = 0;
                            for (std::size_t t = begin; t < end; ++t) {
                              if (!counts(t)) continue;
-                             const auto& v = mesh_.triangles[t].vertex;
-                             sum += dot(position(v[0]), cross(position(v[1]), position(v[2])));
+                             sum += isTurned(t) ? -volumeBelow(t) : volumeBelow(t);
                            }
                            sums[chunk] = sum;
                          });
@@ -302,7 +418,8 @@ class EdgeFinder {
   HullEdges& hull_;
   double gap_;
   std::vector<std::vector<HullEdge>> pairs_;
-  std::vector<std::size_t> unpaired_;
+  std::vector<std::size_t> unpaired_, unlike_;  ///< the second beside others
+  std::vector<bool> isTurned_;                  ///< by triangle; empty: none is
 };
 
 }  // namespace

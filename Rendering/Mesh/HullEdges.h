@@ -26,7 +26,7 @@ struct HullEdges {
   /// their vertices apart, or whose normals are split, are closed, too.
   std::vector<std::uint32_t> weld;
   /// Per triangle: unit, outward; zero for one that cannot be drawn or has no area. A closed mesh
-  /// that is inside out is turned.
+  /// that is inside out is turned; so are triangles that are not wound as their neighbours.
   std::vector<Vec3f> normal;
   std::vector<HullEdge> edges;
 };

@@ -642,6 +642,70 @@ TEST(HullEdgesTest, HaveNoBorderBesideATriangleWithoutAreaOrOneThatIsWoundTheOth
   EXPECT_EQ(borderCount(turned.mesh.hull.edges), 4u);
 }
 
+/// Every third triangle wound the other way.
+OwnedMesh mixed(OwnedMesh mesh)
+{
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3)
+    std::swap(mesh.triangles[t].vertex[1], mesh.triangles[t].vertex[2]);
+  finish(mesh);
+  return mesh;
+}
+
+TEST(HullEdgesTest, TakeNeighboursAsWoundAlike)
+{
+  for (const OwnedMesh& shape :
+       {box({1, 1, 1}), sphere(8, 12), sheet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 4)}) {
+    const HullEdges alike = Solid(OwnedMesh(shape)).mesh.hull;
+    const HullEdges unlike = Solid(mixed(shape)).mesh.hull;
+    EXPECT_GT(alike.edges.size(), 10u);
+    EXPECT_EQ(unlike.edges.size(), alike.edges.size());
+    EXPECT_EQ(borderCount(unlike.edges), borderCount(alike.edges));
+    ASSERT_EQ(unlike.normal.size(), alike.normal.size());
+    for (std::size_t t = 0; t < unlike.normal.size(); ++t)
+      EXPECT_GE(dot(unlike.normal[t], alike.normal[t]), 0) << t;
+  }
+}
+
+TEST(HullEdgesTest, TurnPartsByThemselves)
+{
+  // A box all of whose triangles but one are inside out, and a sheet beside it that is as it is.
+  std::vector<Vec3d> points;
+  OwnedMesh cube = box({1, 1, 1});
+  for (std::size_t t = 0; t < cube.triangles.size(); ++t)
+    for (const int k : {0, t == 5 ? 1 : 2, t == 5 ? 2 : 1})
+      points.push_back(cube.view().position(cube.triangles[t].vertex[k]));
+  points.insert(points.end(), {{5, 0, 0}, {5, 1, 0}, {6, 0, 0}});
+  const Solid both(soup(points));
+  const Vec3d out[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (std::size_t t = 0; t < cube.triangles.size(); ++t) {
+    const Vec3f n = both.mesh.hull.normal[t];
+    const Vec3d p = cube.view().position(cube.triangles[t].vertex[0]);
+    double sign = 0;
+    for (const Vec3d axis : out)
+      sign += dot(vec3Cast<double>(n), axis) * dot(p, axis);
+    EXPECT_GT(sign, 0) << t;
+  }
+  EXPECT_LT(both.mesh.hull.normal.back().z, 0);
+}
+
+TEST(HullEdgesTest, OfABandWithOneSideAreThere)
+{
+  std::vector<Vec3d> points;
+  constexpr int kParts = 24;
+  const auto at = [](int i, double side) {
+    const double a = 2 * kPi * i / kParts, r = 2 + side * std::cos(a / 2);
+    return Vec3d{r * std::cos(a), r * std::sin(a), side * std::sin(a / 2)};
+  };
+  for (int i = 0; i < kParts; ++i) {
+    const bool isLast = i + 1 == kParts;
+    const Vec3d a = at(i, -0.5), b = at(i, 0.5);
+    const Vec3d c = isLast ? at(0, -0.5) : at(i + 1, 0.5),
+                d = isLast ? at(0, 0.5) : at(i + 1, -0.5);
+    points.insert(points.end(), {a, b, c, a, c, d});
+  }
+  EXPECT_EQ(borderCount(Solid(soup(points)).mesh.hull.edges), 2u * kParts);
+}
+
 TEST(HullEdgesTest, HaveNoBorderWhereRoundingLeavesAGap)
 {
   // Two squares side by side whose corners between them differ by less than a millionth of the box.
