@@ -33,30 +33,44 @@ bool isDrawable(const MeshView& mesh, const Triangle& triangle, Vec3d origin)
 
 struct Border {
   std::uint32_t end[2];  ///< places
+  Vec3d third;           ///< corner of its triangle
 };
 
 /// Finds borders that others lie along: from a place that they share up to the next one, whatever
-/// the places between.
+/// the places between, with the triangles on other sides.
 class Seams {
  public:
-  Seams(const MeshView& mesh, double gap, Span<const Border> borders)
-      : mesh_(mesh), gap_(gap), isCovered_(borders.size())
+  /// By place, all borders', where it is.
+  Seams(Span<const Vec3d> placeAt, double gap, Span<const Border> borders)
+      : placeAt_(placeAt), gap_(gap), borders_(borders), isCovered_(borders.size())
   {
-    for (std::size_t b = 0; b < borders.size(); ++b)
-      for (int k = 0; k < 2; ++k)
-        ways_.push_back({borders[b].end[k], borders[b].end[1 - k], b});
+    // No plane or cone that meshes have has this for its axis.
+    const Vec3d axis = normalized(Vec3d{0.3712, 0.7301, 0.5737});
+    for (std::size_t b = 0; b < borders.size(); ++b) {
+      const auto [first, second] = borders[b].end;
+      isCovered_[b] = first == second;
+      if (first == second) continue;
+      const double along = dot(normalized(placeAt[second] - placeAt[first]), axis);
+      ways_.push_back({first, second, b, along});
+      ways_.push_back({second, first, b, -along});
+    }
     std::sort(ways_.begin(), ways_.end(), [](const Way& a, const Way& b) {
-      return std::tie(a.from, a.to, a.border) < std::tie(b.from, b.to, b.border);
+      return std::tie(a.from, a.along, a.border) < std::tie(b.from, b.along, b.border);
     });
   }
 
   /// By border.
   std::vector<bool> covered()
   {
-    for (std::size_t i = 0; i < ways_.size(); ++i) {
-      if (ways_[i].from == ways_[i].to) isCovered_[ways_[i].border] = true;
-      for (std::size_t k = i + 1; k < ways_.size() && ways_[k].from == ways_[i].from; ++k)
-        if (ways_[k].border != ways_[i].border) follow(ways_[i], ways_[k]);
+    for (std::size_t i = 0, end; i < ways_.size(); i = end) {
+      double shortest = length(ways_[i]);
+      for (end = i + 1; end < ways_.size() && ways_[end].from == ways_[i].from; ++end)
+        shortest = std::min(shortest, length(ways_[end]));
+      // Those that go the same way, of which there may be few among very many.
+      const double most = 2 * gap_ / shortest;
+      for (std::size_t a = i; a < end; ++a)
+        for (std::size_t b = a + 1; b < end && ways_[b].along - ways_[a].along <= most; ++b)
+          follow(ways_[a], ways_[b]);
     }
     return isCovered_;
   }
@@ -65,31 +79,47 @@ class Seams {
   struct Way {
     std::uint32_t from, to;
     std::size_t border;
+    double along;  ///< cosine of the angle to the constructor's axis
   };
   /// Along which ways are followed.
   struct Line {
     Vec3d start, along;  ///< of unit length
   };
 
-  Vec3d placeOf(std::uint32_t v) const { return mesh_.position(v); }
-  /// How far along the line a place is, or less than nothing if it is beside it.
-  double distance(const Line& line, std::uint32_t v) const
+  double length(const Way& way) const
   {
-    const Vec3d way = placeOf(v) - line.start;
-    const double along = dot(way, line.along);
-    const Vec3d aside = way - line.along * along;
-    return dot(aside, aside) <= gap_ * gap_ ? along : -1;
+    const Vec3d along = placeAt_[way.to] - placeAt_[way.from];
+    return std::sqrt(dot(along, along));
+  }
+  Vec3d aside(const Line& line, Vec3d place) const
+  {
+    const Vec3d way = place - line.start;
+    return way - line.along * dot(way, line.along);
+  }
+  /// How far along the line a place is, or less than nothing if it is beside it.
+  double distance(const Line& line, std::uint32_t place) const
+  {
+    const Vec3d beside = aside(line, placeAt_[place]);
+    return dot(beside, beside) <= gap_ * gap_ ? dot(placeAt_[place] - line.start, line.along) : -1;
+  }
+  /// Whether triangles lie over each other, as those of two sheets do.
+  bool areOnOneSide(const Line& line, const Way& first, const Way& second) const
+  {
+    constexpr double kSame = 0.99;
+    const Vec3d a = normalized(aside(line, borders_[first.border].third));
+    const Vec3d b = normalized(aside(line, borders_[second.border].third));
+    return dot(a, b) > kSame;
   }
 
   /// Two ways from one place, by turns, until they meet.
   void follow(const Way& first, const Way& second)
   {
-    const Vec3d start = placeOf(first.from);
-    const Vec3d a = placeOf(first.to) - start, b = placeOf(second.to) - start;
-    const Line line = {start, normalized(dot(a, a) > dot(b, b) ? a : b)};
+    const Vec3d start = placeAt_[first.from];
+    const Way& longer = length(first) > length(second) ? first : second;
+    Line line = {start, normalized(placeAt_[longer.to] - start)};
     std::uint32_t at[2] = {first.to, second.to};
     double reached[2] = {distance(line, at[0]), distance(line, at[1])};
-    if (!(reached[0] > gap_ && reached[1] > gap_)) return;
+    if (!(reached[0] > 0 && reached[1] > 0) || areOnOneSide(line, first, second)) return;
     std::vector<std::size_t> met = {first.border, second.border};
     while (at[0] != at[1]) {
       const int behind = reached[0] < reached[1] ? 0 : 1;
@@ -98,6 +128,9 @@ class Seams {
       met.push_back(next->border);
       at[behind] = next->to;
       reached[behind] = distance(line, next->to);
+      // What rounding does to a short first border grows along the line.
+      if (reached[behind] > reached[1 - behind])
+        line.along = normalized(placeAt_[next->to] - start);
     }
     for (const std::size_t border : met)
       isCovered_[border] = true;
@@ -105,16 +138,17 @@ class Seams {
   /// Where a line goes on from a place, or null.
   const Way* onward(const Line& line, std::uint32_t from, double reached) const
   {
-    const auto begin =
+    auto way =
         std::lower_bound(ways_.begin(), ways_.end(), from,
-                         [](const Way& way, std::uint32_t place) { return way.from < place; });
-    for (auto way = begin; way != ways_.end() && way->from == from; ++way)
-      if (distance(line, way->to) > reached + gap_) return &*way;
+                         [](const Way& one, std::uint32_t place) { return one.from < place; });
+    for (; way != ways_.end() && way->from == from; ++way)
+      if (distance(line, way->to) > reached) return &*way;
     return nullptr;
   }
 
-  const MeshView& mesh_;
+  Span<const Vec3d> placeAt_;
   double gap_;
+  Span<const Border> borders_;
   std::vector<bool> isCovered_;
   std::vector<Way> ways_;  ///< of each border both, by where they come from
 };
@@ -175,8 +209,9 @@ class EdgeFinder {
   {
     findNormals();
     pair();
-    if (isMixed() && orient()) pair();
-    if (isClosed() && volume() < 0)
+    if (isMixed()) {
+      if (orient()) pair();
+    } else if (isClosed() && volume() < 0)
       for (Vec3f& normal : hull_.normal)
         normal = -normal;
     keepConvex();
@@ -322,8 +357,8 @@ class EdgeFinder {
     for (std::size_t t = 0; t < count; ++t) {
       const TurnedParts::Member member = parts.at(t);
       const Part& part = partAt[member.root];
-      const bool isWrong = part.isOpen ? part.turned > 0 : part.volume < 0;
-      if (!part.isMixed || member.isTurned == isWrong) continue;
+      const bool isWrong = part.isOpen ? part.isMixed && part.turned > 0 : part.volume < 0;
+      if (member.isTurned == isWrong) continue;
       isTurned_[t] = isAny = true;
       hull_.normal[t] = -hull_.normal[t];
     }
@@ -400,17 +435,42 @@ class EdgeFinder {
   /// Leaves out borders that all but lie on others.
   void dropGaps()
   {
-    std::vector<Border> borders;
-    if (std::none_of(hull_.edges.begin(), hull_.edges.end(), isBorder)) return;
-    const std::vector<std::uint32_t> near = weldVertices(mesh_, gap_, threads_);
+    std::vector<std::uint32_t> ends;  // of borders, each once
     for (const HullEdge& edge : hull_.edges)
-      if (isBorder(edge)) borders.push_back({near[edge.vertex[0]], near[edge.vertex[1]]});
-    const std::vector<bool> areCovered = Seams(mesh_, gap_, borders).covered();
+      if (isBorder(edge)) ends.insert(ends.end(), edge.vertex, edge.vertex + 2);
+    if (ends.empty()) return;
+    std::sort(ends.begin(), ends.end());
+    ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+    std::vector<Vec3d> placeAt;
+    placeAt.reserve(ends.size());
+    for (const std::uint32_t v : ends)
+      placeAt.push_back(position(v));
+    MeshView points;
+    points.precisePositions = {placeAt.data(), placeAt.size()};
+    const std::vector<std::uint32_t> near = weldVertices(points, gap_, threads_);
+    const auto placeOf = [&](std::uint32_t v) {
+      return near[static_cast<std::size_t>(std::lower_bound(ends.begin(), ends.end(), v) -
+                                           ends.begin())];
+    };
+    std::vector<Border> borders;
+    for (const HullEdge& edge : hull_.edges)
+      if (isBorder(edge))
+        borders.push_back({{placeOf(edge.vertex[0]), placeOf(edge.vertex[1])}, thirdOf(edge)});
+    const std::vector<bool> areCovered = Seams(placeAt, gap_, borders).covered();
     std::size_t next = 0;
     hull_.edges.erase(
         std::remove_if(hull_.edges.begin(), hull_.edges.end(),
                        [&](const HullEdge& edge) { return isBorder(edge) && areCovered[next++]; }),
         hull_.edges.end());
+  }
+  /// The corner of a border's triangle that is not on it.
+  Vec3d thirdOf(const HullEdge& border) const
+  {
+    for (const std::uint32_t v : mesh_.triangles[border.triangle[0]].vertex) {
+      const std::uint32_t corner = hull_.weld[v];
+      if (corner != border.vertex[0] && corner != border.vertex[1]) return position(corner);
+    }
+    return position(border.vertex[0]);
   }
 
   const MeshView& mesh_;

@@ -381,7 +381,7 @@ class HullPlacer {
     drawn.mesh.precisePositions = {placed_.positions.data(), placed_.positions.size()};
     drawn.mesh.triangles = {placed_.triangles.data(), placed_.triangles.size()};
     drawn.attributes.cells = {placed_.cells.data(), placed_.cells.size()};
-    // No more than the mesh has, which were few enough.
+    // A few times what the mesh has at most: where they are too many there is no hull.
     const bool isBuilt = buildClusters(drawn.mesh, threads_, placed_.clusters).ok();
     if (!isBuilt) placed_.clusters = {};
     drawn.clusters = &placed_.clusters;

@@ -39,7 +39,7 @@ constexpr std::uint64_t kHashOfDataTones = 5431401692603874508u;
 constexpr std::uint64_t kHashOfHatching = 5579474759704979671u;
 constexpr std::uint64_t kHashOfExaggeration = 3273500294967713027u;
 constexpr std::uint64_t kHashOfCreasedExaggeration = 1093329653533397760u;
-constexpr std::uint64_t kHashOfHulls = 2145942237242317752u;
+constexpr std::uint64_t kHashOfHulls = 16297438070228432309u;
 
 /// FNV-1a, 64 bits.
 class Hash {

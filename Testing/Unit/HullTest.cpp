@@ -666,6 +666,26 @@ TEST(HullEdgesTest, TakeNeighboursAsWoundAlike)
   }
 }
 
+TEST(HullEdgesTest, TurnClosedPartsOutwardOneByOne)
+{
+  // A large box that is inside out, and one triangle turned in a small one beside it.
+  std::vector<Vec3d> points;
+  const auto add = [&](double half, double x, const auto& isTurned) {
+    const OwnedMesh cube = box({half, half, half});
+    for (std::size_t t = 0; t < cube.triangles.size(); ++t)
+      for (const int k : {0, isTurned(t) ? 2 : 1, isTurned(t) ? 1 : 2})
+        points.push_back(cube.view().position(cube.triangles[t].vertex[k]) + Vec3d{x, 0, 0});
+  };
+  add(10, 0, [](std::size_t) { return true; });
+  add(1, 20, [](std::size_t t) { return t == 3; });
+  const Solid both(soup(points));
+  EXPECT_EQ(both.mesh.hull.edges.size(), 24u);
+  for (std::size_t t = 0; t < 24; ++t) {
+    const Vec3d n = vec3Cast<double>(both.mesh.hull.normal[t]);
+    EXPECT_GT(dot(n, points[3 * t] - Vec3d{t < 12 ? 0.0 : 20.0, 0, 0}), 0) << t;
+  }
+}
+
 TEST(HullEdgesTest, TurnPartsByThemselves)
 {
   // A box all of whose triangles but one are inside out, and a sheet beside it that is as it is.
@@ -727,27 +747,65 @@ TEST(HullEdgesTest, HaveNoBorderWhereRoundingLeavesAGap)
   EXPECT_EQ(borderCount(squares(1e-5).mesh.hull.edges), 8u);
 }
 
+/// Two strips of so many squares side by side, at a place in space.
+std::size_t stripBorders(int left, int right, const Mat4d& place)
+{
+  std::vector<Vec3d> points;
+  const auto add = [&](int count, double x) {
+    // As most files have them.
+    const auto at = [&](double u, int i) {
+      const Vec3d p = transformPoint(place, {x + u, static_cast<double>(i) / count, 0});
+      return vec3Cast<double>(vec3Cast<float>(p));
+    };
+    for (int i = 0; i < count; ++i)
+      points.insert(points.end(),
+                    {at(0, i), at(1, i), at(1, i + 1), at(0, i), at(1, i + 1), at(0, i + 1)});
+  };
+  add(left, 0);
+  add(right, 1);
+  return borderCount(Solid(soup(points)).mesh.hull.edges);
+}
+
 TEST(HullEdgesTest, HaveNoBorderAlongASeamWhosePointsDiffer)
 {
-  // Two strips of so many squares side by side; the sides of the seam need not share a point.
-  const auto strips = [](int left, int right) {
-    std::vector<Vec3d> points;
-    const auto add = [&points](int count, double x) {
-      for (int i = 0; i < count; ++i) {
-        const double y0 = static_cast<double>(i) / count, y1 = static_cast<double>(i + 1) / count;
-        points.insert(
-            points.end(),
-            {{x, y0, 0}, {x + 1, y0, 0}, {x + 1, y1, 0}, {x, y0, 0}, {x + 1, y1, 0}, {x, y1, 0}});
-      }
-    };
-    add(left, 0);
-    add(right, 1);
-    return borderCount(Solid(soup(points)).mesh.hull.edges);
+  for (const Mat4d& place : {Mat4d::identity(), turned(0.3, 0.7)}) {
+    EXPECT_EQ(stripBorders(1, 4, place), 1u + 4u + 4u);
+    EXPECT_EQ(stripBorders(2, 3, place), 2u + 3u + 4u);
+    EXPECT_EQ(stripBorders(5, 5, place), 5u + 5u + 4u);
+    EXPECT_EQ(stripBorders(7, 12, place), 7u + 12u + 4u);
+    EXPECT_EQ(stripBorders(97, 70, place), 97u + 70u + 4u);
+  }
+}
+
+TEST(HullEdgesTest, HaveTheBordersOfSheetsThatLieOnEachOther)
+{
+  std::vector<Vec3d> points;
+  const auto square = [&](double x, double y, double side) {
+    points.insert(points.end(), {{x, y, 0},
+                                 {x + side, y, 0},
+                                 {x + side, y + side, 0},
+                                 {x, y, 0},
+                                 {x + side, y + side, 0},
+                                 {x, y + side, 0}});
   };
-  EXPECT_EQ(strips(1, 4), 1u + 4u + 4u);
-  EXPECT_EQ(strips(2, 3), 2u + 3u + 4u);
-  EXPECT_EQ(strips(5, 5), 5u + 5u + 4u);
-  EXPECT_EQ(strips(7, 12), 7u + 12u + 4u);
+  square(0, 0, 1);
+  for (const double x : {0.0, 0.5})
+    for (const double y : {0.0, 0.5})
+      square(x, y, 0.5);
+  EXPECT_EQ(borderCount(Solid(soup(points)).mesh.hull.edges), 4u + 8u);
+}
+
+// By comparing all with all this would take minutes.
+TEST(HullEdgesTest, AreFoundWhereManyBordersMeet)
+{
+  constexpr int kBlades = 40000;
+  std::vector<Vec3d> points;
+  for (int i = 0; i < kBlades; ++i) {
+    const double z = 1 - 2 * (i + 0.5) / kBlades, r = std::sqrt(1 - z * z), a = 2.4 * i;
+    const Vec3d tip = {r * std::cos(a), r * std::sin(a), z};
+    points.insert(points.end(), {{0, 0, 0}, tip, tip + Vec3d{0, 0, 1e-3}});
+  }
+  EXPECT_EQ(borderCount(Solid(soup(points)).mesh.hull.edges), 3u * kBlades);
 }
 
 TEST(HullEdgesTest, HaveBordersBesideAWiderOpening)
