@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) the Limn authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Testing/Unit/Polyhedra.h"
+#include "Testing/Unit/SceneWindow.h"
 #include "Testing/Unit/TestScene.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace limn {
 namespace {
@@ -748,95 +748,24 @@ TEST_P(Strokes, WiderThanTheApronAreSeenOnTheSlopeTheyLieOn)
   }
 }
 
-/// A scene in a picture of kSide x kSide pixels and in a window of that, with its lines and
-/// without.
-class CroppedScene {
- public:
-  static constexpr int kSide = 160;
-
-  explicit CroppedScene(std::uint32_t seed) : random_(seed, testing::RandomScene::Detail::kLines)
-  {
-    testing::Random number(seed);
-    const auto below = [&](int end) {
-      return static_cast<int>(number.below(static_cast<std::uint32_t>(end)));
-    };
-    width_ = 20 + below(60);
-    height_ = 20 + below(60);
-    left_ = below(kSide - width_);
-    bottom_ = below(kSide - height_);
-    const Span<const Instance> all = random_.scene().instances;
-    lined_.assign(all.begin(), all.end());
-    lines_.reserve(all.size());
-    for (Instance& instance : lined_) {
-      lines_.emplace_back(instance.lines.begin(), instance.lines.end());
-      // Gaps that are bridged may end anywhere outside.
-      for (LineSet& set : lines_.back())
-        if (!set.slack.empty()) set.flags = {};
-      instance.lines = lines_.back();
-    }
-    bare_ = lined_;
-    for (Instance& instance : bare_)
-      instance.lines = {};
-  }
-
-  struct Count {
-    std::size_t lined = 0;   ///< pixels of the window that lines change
-    std::size_t unlike = 0;  ///< that differ from those of the picture, though surfaces do not
-  };
-  Count compare(Backend backend) const
-  {
-    const Picture window = draw(lined_, true, backend), picture = draw(lined_, false, backend);
-    const Picture bareWindow = draw(bare_, true, backend), bare = draw(bare_, false, backend);
-    Count count;
-    for (int y = 0; y < height_; ++y)
-      for (int x = 0; x < width_; ++x) {
-        const Rgba8 here = at(window, x, y), hereBare = at(bareWindow, x, y);
-        if (!areLike(here, hereBare)) ++count.lined;
-        if (areLike(hereBare, at(bare, x + left_, y + bottom_)) &&
-            !areLike(here, at(picture, x + left_, y + bottom_)))
-          ++count.unlike;
-      }
-    return count;
-  }
-
- private:
-  Picture draw(const std::vector<Instance>& instances, bool isWindow, Backend backend) const
-  {
-    Scene scene = random_.scene();
-    scene.instances = instances;
-    Picture picture(isWindow ? width_ : kSide, isWindow ? height_ : kSide);
-    if (isWindow) {
-      const double sx = double{kSide} / width_, sy = double{kSide} / height_;
-      const Mat4d window = {{{sx, 0, 0, sx - 2.0 * left_ / width_ - 1},
-                             {0, sy, 0, sy - 2.0 * bottom_ / height_ - 1},
-                             {0, 0, 1, 0},
-                             {0, 0, 0, 1}}};
-      scene.camera.viewToClip = window * scene.camera.viewToClip;
-    }
-    const Status status = render(scene, picture.frame(Background::kBlend), {backend, 2});
-    EXPECT_TRUE(status.ok()) << status.message;
-    return picture;
-  }
-  /// But for rounding.
-  static bool areLike(Rgba8 a, Rgba8 b)
-  {
-    return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)}) <= 2;
-  }
-
-  testing::RandomScene random_;
-  std::vector<std::vector<LineSet>> lines_;
-  std::vector<Instance> lined_, bare_;
-  int width_, height_, left_, bottom_;
-};
+testing::SceneWindow::Count compareLined(std::uint32_t seed, Backend backend)
+{
+  testing::Random number(seed);
+  const testing::SceneWindow window(seed, number);
+  std::vector<Instance> bare = window.instances();
+  for (Instance& instance : bare)
+    instance.lines = {};
+  return window.compare(window.instances(), bare, backend);
+}
 
 TEST_P(Strokes, AreThoseOfALargerPictureInItsWindows)
 {
   const std::uint32_t scenes = GetParam() == Backend::kPipeline ? 200 : 20;
   std::size_t unlike = 0, lined = 0;
   for (std::uint32_t seed = 0; seed < scenes; ++seed) {
-    const CroppedScene::Count count = CroppedScene(seed).compare(GetParam());
+    const testing::SceneWindow::Count count = compareLined(seed, GetParam());
     unlike += count.unlike;
-    lined += count.lined;
+    lined += count.changed;
   }
   EXPECT_GT(lined, 300u * scenes);
   EXPECT_LE(unlike, 4u) << "where rounding decides";
